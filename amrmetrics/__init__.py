@@ -1,0 +1,34 @@
+"""Metrics for localization and SLAM of mobile robots.
+
+Use it as ``import amrmetrics as am``. Reference (ground truth) comes before
+estimate in every function. A trajectory is an array of homogeneous matrices of
+shape ``(N, d + 1, d + 1)`` with d = 2 or 3; lengths are in metres, times in
+seconds, angles in radians unless a name says degrees. Bad input raises
+:class:`amrmetrics.errors.AmrError`, a ``ValueError`` that names the argument.
+
+Importing the package loads NumPy only; each module loads when it is first used.
+"""
+
+import lazy_loader as _lazy
+
+__version__ = "0.1.0"
+
+__getattr__, __dir__, __all__ = _lazy.attach(
+    __name__,
+    submodules=["check", "derivation", "plotting", "simulation"],
+    submod_attrs={
+        "alignment": ["Alignment", "align"],
+        "errors": ["AmrError", "DegenerateAlignmentError"],
+        "poses": [
+            "inverse",
+            "path_length",
+            "planar_poses",
+            "positions",
+            "relative",
+            "rotation_angle",
+            "spatial_poses",
+            "wrap",
+            "yaw",
+        ],
+    },
+)
