@@ -160,29 +160,36 @@ def align(reference, estimate, mode="rigid"):
     >>> np.allclose(a.apply(estimate), truth)
     True
     """
+    return fit(*as_position_pair(reference, estimate), mode)[0]
+
+
+def fit(p, q, mode):
+    """Return the Alignment of (N, d) positions and the (d, N) vectors that it leaves."""
     if mode not in MODES:
         raise AmrError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}.")
-    p, q = as_position_pair(reference, estimate)
     n, d = p.shape
     if mode == "none":
-        return Alignment(np.eye(d), np.zeros(d), 1.0, _sum_of_squares(p - q), mode, n)
-    p_mean, p_centered = _center(p)
-    q_mean, q_centered = _center(q)
-    _refuse_points(p, p_centered, q, q_centered)
+        left = np.ascontiguousarray((p - q).T)
+        return Alignment(np.eye(d), np.zeros(d), 1.0, _sum_of_squares(left), mode, n), left
+    p_mean, p = _center(p)
+    q_mean, q = _center(q)
+    for name, mean, centered in (("reference", p_mean, p), ("estimate", q_mean, q)):
+        _refuse_point(name, mean, centered)
 
-    K = p_centered.T @ q_centered
+    K = np.array([[x @ y for y in q] for x in p])
     if d == 2 or mode == "yaw":
         R = np.eye(d)
         R[:2, :2], free = _planar_rotation(K)
         axis = np.eye(3)[2, :d]
     else:
         R, axis, free = _rotation(K)
-    _refuse_undetermined(p_centered, q_centered, R, axis, free, mode)
+    _refuse_undetermined(p, q, R, axis, free, mode)
 
     # Umeyama's trace(D S) equals trace(R^T K): the part of K that the rotation captures.
-    scale = np.vdot(R, K) / _sum_of_squares(q_centered) if mode == "similarity" else 1.0
-    residual = _sum_of_squares(p_centered - scale * (q_centered @ R.T))
-    return Alignment(R, p_mean - scale * R @ q_mean, float(scale), residual, mode, n)
+    scale = float(np.vdot(R, K) / _sum_of_squares(q)) if mode == "similarity" else 1.0
+    p -= (scale * R) @ q
+    found = Alignment(R, p_mean - scale * R @ q_mean, scale, _sum_of_squares(p), mode, n)
+    return found, p
 
 
 def _planar_rotation(K):
@@ -208,29 +215,32 @@ def _rotation(K):
 
 
 def _center(x):
+    """Return the mean of (N, d) positions and a (d, N) copy without it."""
     # Subtracting the first sample before averaging keeps the digits that a mean of
     # map coordinates of 5e6 m would lose.
-    centered = x - x[0]
-    shift = centered.mean(axis=0)
-    centered -= shift
-    return x[0] + shift, centered
+    first = x[0]
+    centered = x.T.copy()
+    centered -= first[:, None]
+    shift = centered.mean(axis=1)
+    centered -= shift[:, None]
+    return first + shift, centered
 
 
 def _sum_of_squares(x):
     return float(np.vdot(x, x))
 
 
-def _refuse_points(p, p_centered, q, q_centered):
+def _refuse_point(name, mean, centered):
     """Raise if all positions coincide, up to the rounding of their coordinates."""
-    for name, x, centered in (("reference", p, p_centered), ("estimate", q, q_centered)):
-        rounding = 64 * np.finfo(float).eps * np.abs(x).max()
-        if np.abs(centered).max() <= rounding:
-            many = "a single position" if len(x) == 1 else f"{len(x)} positions that all coincide"
-            raise DegenerateAlignmentError(
-                f"{name} is {many}: any rotation about it fits equally well. Use data in which "
-                "the robot moves, or mode='none'.",
-                "any rotation",
-            )
+    spread = max(centered.max(), -centered.min())
+    if spread <= 64 * np.finfo(float).eps * np.abs(mean).max():
+        n = centered.shape[1]
+        many = "a single position" if n == 1 else f"{n} positions that all coincide"
+        raise DegenerateAlignmentError(
+            f"{name} is {many}: any rotation about it fits equally well. Use data in which "
+            "the robot moves, or mode='none'.",
+            "any rotation",
+        )
 
 
 def _refuse_undetermined(p, q, R, axis, free, mode):
@@ -245,9 +255,9 @@ def _refuse_undetermined(p, q, R, axis, free, mode):
         return
     side = np.sqrt(_sum_of_squares(_sideways(p, axis)) * _sum_of_squares(_sideways(q, R.T @ axis)))
     straight = side < NEARLY_STRAIGHT * whole
-    if free > UNDETERMINED * whole and not (straight and free < min(0.5, 4 / len(p) ** 0.5) * side):
+    if free > UNDETERMINED * whole and not (straight and free < min(0.5, 4 / p.shape[1] ** 0.5) * side):
         return
-    if p.shape[1] == 2:
+    if len(p) == 2:
         motion, line = "the rotation angle", "a point"
     elif mode == "yaw":
         motion, line = "the rotation about the vertical (yaw)", "a vertical line"
@@ -271,4 +281,4 @@ def _refuse_undetermined(p, q, R, axis, free, mode):
 
 
 def _sideways(x, axis):
-    return x - np.outer(x @ axis, axis)
+    return x - np.outer(axis, axis @ x)
