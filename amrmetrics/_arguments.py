@@ -60,45 +60,18 @@ def as_poses(value, name, batch=False):
             "(N, 4, 4) for space. planar_poses and spatial_poses make them."
         )
     _with_samples(array, name)
-    d = array.shape[-1] - 1
-    last_row = np.eye(d + 1)[d]
-    if (array[..., d, :] != last_row).any():
-        wrong = (array[..., d, :] != last_row).any(-1)
-        raise AmrError(
-            f"{name}{_first(wrong)} has the last row {array[..., d, :][wrong][0].tolist()}; a "
-            f"homogeneous matrix ends with {last_row.tolist()}. Is it transposed?"
-        )
-    refuse_non_rotations(array[..., :d, :d], name)
+    if not all(map(_are_poses, in_blocks(array.reshape(-1, *array.shape[-2:])))):
+        _refuse_non_poses(array, name)
     return array
 
 
-def refuse_non_rotations(R, name):
-    """Raise unless every matrix of `R`, shape (..., d, d), is a rotation."""
-    if all(map(_are_rotations, in_blocks(R.reshape(-1, *R.shape[-2:])))):
-        return
-    d = R.shape[-1]
-    gram = np.einsum("...ki,...kj->...ij", R, R)
-    off = np.abs(gram - np.eye(d)).max((-2, -1)) > ORTHONORMAL_WITHIN
-    if off.any():
-        raise AmrError(
-            f"{name}{_first(off)} is not a pose: its {d}x{d} block is not a rotation matrix "
-            f"(R^T R differs from the identity by more than {ORTHONORMAL_WITHIN:g}). "
-            "Scale, shear and rounded entries have to be removed first."
-        )
-    mirrored = np.linalg.det(R) < 0
-    raise AmrError(
-        f"{name}{_first(mirrored)} is a reflection (determinant -1), not a rotation. "
-        "One axis of the frame has the wrong sign."
-    )
-
-
-def _are_rotations(R):
-    """Say if all columns but the last are orthonormal and the last completes them."""
-    if R.shape[0] == 2:
-        (a, c), (b, d) = R
+def _are_poses(X):
+    """Say if the last row is 0 ... 0 1, all columns but one are orthonormal, and that one fits."""
+    if len(X) == 3:
+        (a, c, _), (b, d, _), (*zeros, one) = X
         off = (a * a + b * b - 1, c + b, d - a)
     else:
-        (a, d, g), (b, e, h), (c, f, i) = R
+        (a, d, g, _), (b, e, h, _), (c, f, i, _), (*zeros, one) = X
         off = (
             a * a + b * b + c * c - 1,
             d * d + e * e + f * f - 1,
@@ -107,7 +80,35 @@ def _are_rotations(R):
             c * d - a * f - h,
             a * e - b * d - i,
         )
-    return all(-ORTHONORMAL_WITHIN < x.min() and x.max() < ORTHONORMAL_WITHIN for x in off)
+    return (
+        not np.any(zeros)
+        and (one == 1).all()
+        and all(-ORTHONORMAL_WITHIN < x.min() and x.max() < ORTHONORMAL_WITHIN for x in off)
+    )
+
+
+def _refuse_non_poses(X, name):
+    d = X.shape[-1] - 1
+    last_row = np.eye(d + 1)[d]
+    wrong = (X[..., d, :] != last_row).any(-1)
+    if wrong.any():
+        raise AmrError(
+            f"{name}{_first(wrong)} has the last row {X[..., d, :][wrong][0].tolist()}; a "
+            f"homogeneous matrix ends with {last_row.tolist()}. Is it transposed?"
+        )
+    R = X[..., :d, :d]
+    off = np.abs(np.einsum("...ki,...kj->...ij", R, R) - np.eye(d)).max((-2, -1))
+    mirrored = np.linalg.det(R) < 0
+    if off.max() > ORTHONORMAL_WITHIN or not mirrored.any():
+        raise AmrError(
+            f"{name}{_first(off == off.max())} is not a pose: its {d}x{d} block is not a rotation "
+            f"matrix (R^T R differs from the identity by {off.max():.2g}, more than "
+            f"{ORTHONORMAL_WITHIN:g}). Scale, shear and rounded entries have to be removed first."
+        )
+    raise AmrError(
+        f"{name}{_first(mirrored)} is a reflection (determinant -1), not a rotation. "
+        "One axis of the frame has the wrong sign."
+    )
 
 
 def in_blocks(x):
@@ -158,6 +159,23 @@ def as_positions(value, name):
         raise AmrError(
             f"{name} holds a coordinate of {largest:.3g} m; more than {LARGEST:g} m "
             "cannot be squared. Check the units."
+        )
+    return array
+
+
+def as_stamps(value, name):
+    """Return `value` as an (N,) array of strictly increasing seconds, N >= 1."""
+    array = as_numbers(value, name)
+    if array.ndim != 1:
+        raise AmrError(f"{name} has shape {array.shape}; time stamps need shape (N,).")
+    _with_samples(array, name)
+    steps = np.diff(array)
+    if (steps <= 0).any():
+        k = int(np.argmax(steps <= 0))
+        what = "repeat" if steps[k] == 0 else "go back in time"
+        raise AmrError(
+            f"{name} {what} at index {k + 1}: {array[k]:.6f} s is followed by {array[k + 1]:.6f} s. "
+            "Stamps must increase; sort the recording or drop the repeated sample."
         )
     return array
 

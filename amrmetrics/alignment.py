@@ -255,7 +255,9 @@ def _refuse_undetermined(p, q, R, axis, free, mode):
         return
     side = np.sqrt(_sum_of_squares(_sideways(p, axis)) * _sum_of_squares(_sideways(q, R.T @ axis)))
     straight = side < NEARLY_STRAIGHT * whole
-    if free > UNDETERMINED * whole and not (straight and free < min(0.5, 4 / p.shape[1] ** 0.5) * side):
+    if free > UNDETERMINED * whole and not (
+        straight and free < min(0.5, 4 / p.shape[1] ** 0.5) * side
+    ):
         return
     if len(p) == 2:
         motion, line = "the rotation angle", "a point"

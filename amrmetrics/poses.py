@@ -346,13 +346,16 @@ def rotation_angle(X):
     [0.5, 1e-09]
     """
     R = as_poses(X, "X", batch=True)[..., :-1, :-1]
-    if R.shape[-1] == 2:
-        angle = np.arctan2(np.abs(R[..., 1, 0] - R[..., 0, 1]), R[..., 0, 0] + R[..., 1, 1])
-    else:
-        a, b, c = (R[..., i, j] - R[..., j, i] for i, j in ((2, 1), (0, 2), (1, 0)))
-        trace = R[..., 0, 0] + R[..., 1, 1] + R[..., 2, 2]
-        angle = np.arctan2(np.sqrt(a * a + b * b + c * c), trace - 1)
+    angle = angle_of(np.moveaxis(R, (-2, -1), (0, 1)))
     return angle if angle.ndim else float(angle)
+
+
+def angle_of(R):
+    """Return the rotation angle of matrices whose entries come first, shape (d, d, ...)."""
+    if len(R) == 2:
+        return np.arctan2(np.abs(R[1, 0] - R[0, 1]), R[0, 0] + R[1, 1])
+    a, b, c = R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]
+    return np.arctan2(np.sqrt(a * a + b * b + c * c), R[0, 0] + R[1, 1] + R[2, 2] - 1)
 
 
 def path_length(X):
@@ -386,6 +389,60 @@ def path_length(X):
     """
     steps = np.diff(as_positions(X, "X"), axis=0)
     return float(np.sqrt(np.einsum("ij,ij->i", steps, steps)).sum())
+
+
+def project(X, plane="xy"):
+    """Project spatial poses to a coordinate plane.
+
+    Parameters
+    ----------
+    X : (N, 4, 4) array
+        Poses in space.
+    plane : {"xy", "xz", "yz"}
+        The plane to keep, its first letter the horizontal axis of the result.
+
+    Returns
+    -------
+    (N, 3, 3) array
+        Planar poses: the two coordinates, meters, and as heading the direction of the
+        projected body axis of the first letter. The heading keeps its full turn.
+
+    Raises
+    ------
+    AmrError
+        If X does not hold spatial poses, the plane is unknown, or a body axis is
+        perpendicular to the plane and so has no heading there.
+
+    References
+    ----------
+    Lecture 01. A heading taken from Euler angles (the pitch of roll, pitch, yaw) folds at
+    90 degrees in the xz plane.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import amrmetrics as am
+    >>> X = am.spatial_poses([[1, 2, 3]], [[0, np.sin(1.2), 0, np.cos(1.2)]])
+    >>> am.positions(am.project(X, "xz")).tolist()
+    [[1.0, 3.0]]
+    >>> am.yaw(am.project(X, "xz")).round(6).tolist()
+    [-2.4]
+    """
+    if plane not in ("xy", "xz", "yz"):
+        raise AmrError(f"plane is {plane!r}; expected 'xy', 'xz' or 'yz'.")
+    X = as_poses(X, "X")
+    if X.shape[-1] != 4:
+        raise AmrError(f"X has shape {X.shape}; only spatial poses (N, 4, 4) can be projected.")
+    a, b = ("xyz".index(letter) for letter in plane)
+    along, across = X[:, a, a], X[:, b, a]
+    upright = np.hypot(along, across) < 1e-9
+    if upright.any():
+        raise AmrError(
+            f"the body's {plane[0]} axis is perpendicular to the {plane} plane in {upright.sum()} "
+            f"poses of X, first at index {upright.argmax()}; it has no heading there. Choose "
+            "another plane."
+        )
+    return planar_poses(X[:, [a, b], 3], np.arctan2(across, along))
 
 
 def _inverse(X):
