@@ -18,6 +18,17 @@ __getattr__, __dir__, __all__ = _lazy.attach(
     submodules=["check", "derivation", "plotting", "simulation"],
     submod_attrs={
         "alignment": ["Alignment", "align"],
+        "consistency": [
+            "ConsistencyTest",
+            "consistency_power",
+            "consistency_test",
+            "expected_nees",
+            "nees",
+            "nees_variance",
+            "nis",
+            "pose_errors",
+            "runs_needed",
+        ],
         "errors": ["AmrError", "DegenerateAlignmentError"],
         "files": [
             "Trajectory",
