@@ -38,6 +38,15 @@ __getattr__, __dir__, __all__ = _lazy.attach(
             "write_kitti",
             "write_tum",
         ],
+        "maps": [
+            "Confusion",
+            "MapDistance",
+            "ThresholdSweep",
+            "chamfer",
+            "confusion",
+            "hausdorff",
+            "threshold_sweep",
+        ],
         "poses": [
             "inverse",
             "path_length",
@@ -50,6 +59,7 @@ __getattr__, __dir__, __all__ = _lazy.attach(
             "wrap",
             "yaw",
         ],
+        "scoring": ["Murphy", "Score", "brier", "cross_entropy", "murphy"],
         "stamps": ["associate", "clock_offset", "interpolate"],
         "trajectory": [
             "DriftRate",
