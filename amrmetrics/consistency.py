@@ -485,7 +485,7 @@ def _inflation(values):
         return 1.0
     centered = values - values.mean()
     variance = np.vdot(centered, centered) / values.size
-    if variance == 0:
+    if variance <= 1e-20 * values.mean() ** 2:  # all equal, up to rounding
         return 1.0
     total = 0.0
     for lag in range(1, steps // 2):
