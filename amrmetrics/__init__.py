@@ -18,6 +18,17 @@ __getattr__, __dir__, __all__ = _lazy.attach(
     submodules=["check", "derivation", "plotting", "simulation"],
     submod_attrs={
         "alignment": ["Alignment", "align"],
+        "consistency": [
+            "ConsistencyTest",
+            "consistency_power",
+            "consistency_test",
+            "expected_nees",
+            "nees",
+            "nees_variance",
+            "nis",
+            "pose_errors",
+            "runs_needed",
+        ],
         "errors": ["AmrError", "DegenerateAlignmentError"],
         "files": [
             "Trajectory",
@@ -26,6 +37,15 @@ __getattr__, __dir__, __all__ = _lazy.attach(
             "read_tum",
             "write_kitti",
             "write_tum",
+        ],
+        "maps": [
+            "Confusion",
+            "MapDistance",
+            "ThresholdSweep",
+            "chamfer",
+            "confusion",
+            "hausdorff",
+            "threshold_sweep",
         ],
         "poses": [
             "inverse",
@@ -39,6 +59,7 @@ __getattr__, __dir__, __all__ = _lazy.attach(
             "wrap",
             "yaw",
         ],
+        "scoring": ["Murphy", "Score", "brier", "cross_entropy", "murphy"],
         "stamps": ["associate", "clock_offset", "interpolate"],
         "trajectory": [
             "DriftRate",

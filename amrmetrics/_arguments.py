@@ -196,3 +196,63 @@ def _with_samples(array, name):
 def _first(mask):
     """Index of the first True, written as in the code: "[3, 1]", or "" for a single value."""
     return str(np.argwhere(mask)[0].tolist()) if np.ndim(mask) else ""
+
+
+def as_forecasts(occupied, probability, unknown=None, weights=None):
+    """Return labels (bool), probabilities and weights (or None) of the known cells, flat.
+
+    The last item is the array of flat indices of those cells in the map.
+    """
+    labels = as_labels(occupied, "occupied")
+    p = as_numbers(probability, "probability")
+    if p.shape != labels.shape:
+        raise AmrError(
+            f"occupied has shape {labels.shape} and probability {p.shape}; they must be equal, "
+            "cell by cell."
+        )
+    outside = (p < 0) | (p > 1)
+    if outside.any():
+        raise AmrError(
+            f"probability{_first(outside)} is {p[outside][0]:.6g}; probabilities lie in [0, 1]. "
+            "Log-odds are passed as logits to cross_entropy."
+        )
+    return known_cells(labels, p, unknown, weights)
+
+
+def as_labels(value, name):
+    """Return `value` as an array of booleans; only 0, 1, False and True are labels."""
+    array = _as_array(value, name)
+    if array.dtype == bool:
+        labels = array
+    else:
+        numbers = as_numbers(array, name)
+        wrong = (numbers != 0) & (numbers != 1)
+        if wrong.any():
+            raise AmrError(
+                f"{name}{_first(wrong)} is {numbers[wrong][0]:.6g}; labels are 0 (free) or 1 "
+                "(occupied). Mark unknown cells by `unknown`."
+            )
+        labels = numbers == 1
+    return _with_samples(labels, name)
+
+
+def known_cells(labels, p, unknown, weights):
+    if weights is not None:
+        weights = as_numbers(weights, "weights")
+        if weights.shape != labels.shape or weights.min() < 0:
+            raise AmrError(
+                f"weights have shape {weights.shape} and minimum {weights.min():g}; expected "
+                f"shape {labels.shape} and no negative weight."
+            )
+    cells = np.arange(labels.size)
+    if unknown is not None:
+        unknown = as_labels(unknown, "unknown")
+        if unknown.shape != labels.shape:
+            raise AmrError(f"unknown has shape {unknown.shape}; expected {labels.shape}.")
+        cells = np.flatnonzero(~unknown)
+        if not len(cells):
+            raise AmrError("every cell is unknown; a score needs at least one known cell.")
+    weights = None if weights is None else weights.ravel()[cells]
+    if weights is not None and weights.sum() == 0:
+        raise AmrError("the weights of the known cells are all 0; nothing is left to average.")
+    return labels.ravel()[cells], p.ravel()[cells], weights, cells

@@ -10,9 +10,7 @@ import pytest
 
 import amrmetrics as am
 
-PUBLIC = [
-    getattr(am, name) for name in am.__all__ if not inspect.ismodule(getattr(am, name, None))
-]
+PUBLIC = [getattr(am, name) for name in am.__all__ if not inspect.ismodule(getattr(am, name, None))]
 MODULES = [name for _, name, _ in pkgutil.iter_modules(am.__path__, "amrmetrics.")]
 
 
