@@ -83,7 +83,7 @@ def _are_poses(X):
     return (
         not np.any(zeros)
         and (one == 1).all()
-        and all(-ORTHONORMAL_WITHIN < x.min() and x.max() < ORTHONORMAL_WITHIN for x in off)
+        and all(max(x.max(), -x.min()) < ORTHONORMAL_WITHIN for x in off)
     )
 
 
@@ -174,7 +174,7 @@ def as_stamps(value, name):
         k = int(np.argmax(steps <= 0))
         what = "repeat" if steps[k] == 0 else "go back in time"
         raise AmrError(
-            f"{name} {what} at index {k + 1}: {array[k]:.6f} s is followed by {array[k + 1]:.6f} s. "
+            f"{name} {what} at index {k + 1}: {array[k]:.6f} s comes before {array[k + 1]:.6f} s. "
             "Stamps must increase; sort the recording or drop the repeated sample."
         )
     return array

@@ -136,8 +136,8 @@ class ThresholdSweep:
     def __repr__(self):
         k = int(np.nanargmax(self.iou)) if np.isfinite(self.iou).any() else 0
         return (
-            f"{len(self.thresholds)} thresholds, best IoU {self.iou[k]:.6g} and F1 "
-            f"{self.f1[k]:.6g} at {self.thresholds[k]:.6g}, n {self.tp[0] + self.fn[0] + self.tn[0]}"
+            f"{len(self.thresholds)} thresholds, best IoU {self.iou[k]:.6g} and F1 {self.f1[k]:.6g}"
+            f" at {self.thresholds[k]:.6g}, n {self.fn[0] + self.tn[0]}"
         )
 
 

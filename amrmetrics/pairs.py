@@ -32,9 +32,7 @@ def find_pairs(X, delta, unit, pairs, stamps):
     if unit == "frames":
         i = np.arange(0, len(X) - delta, 1 if pairs == "all" else delta, dtype=int)
         if not len(i):
-            raise AmrError(
-                f"delta is {delta:g} frames, but there are {len(X)} samples. Choose a smaller delta."
-            )
+            raise AmrError(f"delta is {delta:g} frames, but the recording has {len(X)} samples.")
         return i, i + int(delta), np.full(len(i), delta), 0
     measure = _measure(X, unit, stamps)
     if unit == "degrees" and pairs == "all":

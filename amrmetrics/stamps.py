@@ -171,7 +171,7 @@ def clock_offset(reference_stamps, X, estimate_stamps, Xh):
     References
     ----------
     Lecture 01: the peak of the cross-correlation, refined by the least-squares step
-    sum(w' (w_ref - w_est)) / sum(w'^2). Rehder et al., A general approach to
+    sum(w' (w_est - w_ref)) / sum(w'^2). Rehder et al., A general approach to
     spatiotemporal calibration, IEEE T-RO 32 (2016), sec. VI, initializes the same way.
 
     Examples

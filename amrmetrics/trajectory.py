@@ -191,7 +191,8 @@ class SegmentDrift:
     def _repr_html_(self):
         head = "<tr><th>length</th><th>translation</th><th>rotation</th><th>n</th></tr>"
         rows = "".join(
-            f"<tr><td>{length:g} m</td><td>{t:.6g} %</td><td>{r:.6g} deg/100 m</td><td>{n}</td></tr>"
+            f"<tr><td>{length:g} m</td><td>{t:.6g} %</td>"
+            f"<td>{r:.6g} deg/100 m</td><td>{n}</td></tr>"
             for length, (t, r, n) in self.per_length.items()
         )
         return f"<table><caption>{self!r}</caption>{head}{rows}</table>"
@@ -404,7 +405,7 @@ def segment_drift(reference, estimate, lengths=KITTI_LENGTHS, step=10):
             total += sums
     if not total[2]:
         raise AmrError(
-            f"the reference is {along[-1]:.6g} m long, too short for a segment of {lengths[0]:g} m. "
+            f"the reference is {along[-1]:.6g} m long, too short for {lengths[0]:g} m segments. "
             "Give shorter lengths."
         )
     translation, rotation, n = total
