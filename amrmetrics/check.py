@@ -1,0 +1,451 @@
+"""Feedback in problem sets: what is wrong with an answer, without giving the answer away.
+
+Each check returns nothing when the answer is right and raises :class:`NotYet` when it
+is not. A check tries the answer on many cases, says on which one it fails, and, when
+the result is one that a known mistake produces, names the mistake.
+"""
+
+import contextlib
+import copy
+import sys
+
+import numpy as np
+
+
+class NotYet(AssertionError):
+    """The answer is missing or wrong; the message is written for the student."""
+
+    def _render_traceback_(self):
+        # Jupyter calls this instead of printing the traceback: the lines of this
+        # module say nothing to a student.
+        return [f"Not yet: {self}"]
+
+
+def value(name, yours, expected, mistakes=None, rtol=1e-6):
+    """Check a number, an array, a string or a truth value.
+
+    Parameters
+    ----------
+    name : str
+        What is asked, as the student knows it.
+    yours : object
+        The student's answer; ``...`` stands for none.
+    expected : object
+        The right answer; it is never shown.
+    mistakes : dict of str to object, optional
+        Wrong answers by the misconception that leads to them.
+    rtol : float
+        Relative tolerance of numbers, 0 < rtol < 1.
+
+    Raises
+    ------
+    NotYet
+        With the student's value and the misconception, if it is a known one.
+
+    Examples
+    --------
+    >>> from amrmetrics import check
+    >>> check.value("the angle", 0.5, 0.5)
+    >>> check.value("theta", -0.5, 0.5, {"this is the inverse": -0.5})
+    Traceback (most recent call last):
+    amrmetrics.check.NotYet: theta: -0.5 is not right. It looks as if this is the inverse.
+    """
+    _require_answer(name, yours)
+    _require_kind(name, yours, expected)
+    if _same(yours, expected, rtol):
+        return
+    raise NotYet(f"{name}: {_show(yours)} is not right.{_diagnosis(yours, mistakes, rtol)}")
+
+
+def function(yours, cases, expected, mistakes=None, rtol=1e-9, without=()):
+    """Check a function on many cases.
+
+    Parameters
+    ----------
+    yours : callable
+        The student's function.
+    cases : dict of str to tuple
+        Arguments by a description of the case; the first ones should be the simplest.
+    expected : callable
+        What it should compute, called with the same arguments. If it raises a
+        ``ValueError``, so must the student's function.
+    mistakes : dict of str to callable, optional
+        Wrong functions by the misconception that leads to them. A result ``...`` in
+        what they return stands for any.
+    rtol : float
+        Relative tolerance of numbers, 0 < rtol < 1.
+    without : tuple of callable
+        Library functions that the student's function is to replace, and must not call.
+
+    Raises
+    ------
+    NotYet
+        With the first case that fails, what came out, and the misconception, if it is
+        a known one.
+
+    Examples
+    --------
+    >>> from amrmetrics import check
+    >>> def spread(x):
+    ...     return max(x) - min(x)
+    >>> check.function(spread, {"three numbers": ([1, 5, 2],)}, lambda x: 4)
+    """
+    if not callable(yours):
+        raise NotYet(f"a function is asked, you have {_show(yours)}.")
+    name = getattr(yours, "__name__", "your function")
+    for case, arguments in cases.items():
+        right, refused = _call(expected, arguments)
+        given = copy.deepcopy(arguments)
+        with _unavailable(without, yours):
+            result, error = _call(yours, given)
+        if isinstance(error, NotYet):
+            raise error
+        if refused is not None:
+            if not isinstance(error, ValueError):
+                got = f"returns {_show(result)}" if error is None else f"raises {error!r}"
+                raise NotYet(
+                    f"{name} {got} for {case}. There is no answer in this case: "
+                    "raise a ValueError that says so."
+                )
+            continue
+        if error is not None:
+            raise NotYet(f"{name} stops for {case} with {_describe(error)}.")
+        if result is None or result is ...:
+            raise NotYet(f"{name}: there is no answer yet. It returns nothing for {case}.")
+        _require_kind(f"{name}, {case}", result, right)
+        if not _same(result, right, rtol):
+            outcomes = {
+                why: outcome
+                for why, wrong in (mistakes or {}).items()
+                for outcome, failed in [_call(wrong, arguments)]
+                if failed is None and not _same(right, outcome, rtol)
+            }
+            raise NotYet(
+                f"{name} is wrong for {case}: it returns {_show(result)}."
+                f"{_diagnosis(result, outcomes, rtol)}"
+            )
+        if not _same(given, arguments, 1e-15):
+            raise NotYet(f"{name} changes its input for {case}. Work on a copy.")
+
+
+def test_function(yours, right, wrong):
+    """Check a test that the student designed: right code must pass it, wrong code must not.
+
+    Parameters
+    ----------
+    yours : callable
+        Takes an implementation and raises an ``AssertionError`` if it is wrong.
+    right, wrong : dict of str to callable
+        Implementations by what they do.
+
+    Raises
+    ------
+    NotYet
+        With the implementation that the test misjudges.
+
+    Examples
+    --------
+    >>> from amrmetrics import check
+    >>> def is_positive(square):
+    ...     assert square(-2) > 0
+    >>> check.test_function(is_positive, {"x * x": lambda x: x * x}, {"x": lambda x: x})
+    """
+    if not callable(yours):
+        raise NotYet(f"a function is asked, you have {_show(yours)}.")
+    for what, implementation in right.items():
+        calls = []
+
+        def counted(*arguments, implementation=implementation, calls=calls, **options):
+            calls.append(1)
+            return implementation(*arguments, **options)
+
+        _, error = _call(yours, (counted,))
+        if error is not None:
+            failed = isinstance(error, AssertionError)
+            how = "rejects" if failed else f"breaks with {_describe(error)} on"
+            why = f": {error}" if failed and str(error) else ""
+            raise NotYet(f"your test {how} an implementation that is right ({what}){why}.")
+        if not calls:
+            raise NotYet("there is no answer yet: your test never calls what it is to test.")
+    for what, implementation in wrong.items():
+        result, error = _call(yours, (implementation,))
+        if error is None:
+            hint = "" if result is None else f" It returns {_show(result)}; use assert instead."
+            raise NotYet(f"your test accepts an implementation that {what}.{hint}")
+        if not isinstance(error, AssertionError):
+            raise NotYet(
+                f"your test breaks with {_describe(error)} on an implementation that {what}. "
+                "It should end with a failed assertion."
+            )
+
+
+test_function.__test__ = False  # for pytest, which takes every test_* for a test
+
+
+def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()):
+    """Check a formula that was entered as text.
+
+    Parameters
+    ----------
+    name : str
+        What is asked, as the student knows it.
+    yours : str
+        The student's formula.
+    expected : str
+        A formula that it must equal on the whole domain, in a form that does not show it.
+    domains : dict of str to str
+        What each symbol stands for, as in :func:`amrmetrics.derivation.check_step`.
+    into : str
+        Where the answer is put before it is compared: ``{}`` stands for it.
+    mistakes : dict of str to str, optional
+        What comes out instead of `expected`, by the misconception that leads there.
+    without : tuple of str
+        Operators that the answer must have carried out, such as ``"Derivative"``.
+
+    Raises
+    ------
+    NotYet
+        With a point at which the formula is wrong, or the misconception, if it is a known one.
+
+    Examples
+    --------
+    >>> from amrmetrics import check
+    >>> check.formula("the slope", "2*x", "Derivative(x**2, x)", {"x": "real"})
+    """
+    from amrmetrics.derivation import check_step
+
+    _require_answer(name, yours)
+    _require_kind(name, yours, "text")
+    alone = check_step(yours, yours, domains)
+    if alone.status == "unreadable":
+        raise NotYet(f"{name} is {alone.message}")
+    for operator in without:
+        if operator in yours:
+            raise NotYet(f"{name}: {operator} still stands in your formula. Carry it out.")
+    outcome = into.format(f"({yours})")
+    verdict = check_step(expected, outcome, domains)
+    if verdict.status in ("proved", "sampled"):
+        return
+    for why, wrong in (mistakes or {}).items():
+        if check_step(outcome, wrong, domains).status in ("proved", "sampled"):
+            raise NotYet(f"{name}: {yours} is not right. It looks as if {why}.")
+    if verdict.status != "refuted":
+        raise NotYet(f"{name}: {_show(yours)} cannot be checked ({verdict.message}).")
+    sequences = "[" in yours  # their values say nothing about an answer without them
+    point = ", ".join(f"{k} = {v}" for k, v in verdict.witness.items() if sequences or "[" not in k)
+    raise NotYet(
+        f"{name}: {yours} is not right. At {point} it makes {into.format(name)} equal to "
+        f"{verdict.after_value} instead of {verdict.before_value}."
+    )
+
+
+def derivation(lines, goal, *, given, domains, **rules):
+    """Check a derivation that was entered line by line.
+
+    Parameters
+    ----------
+    lines : list of str
+        The student's lines, without the given one.
+    goal, given : str
+        The last line and the one to start from.
+    domains : dict of str to str
+        What each symbol stands for, as in :class:`amrmetrics.derivation.Derivation`.
+    **rules
+        Further arguments of Derivation, such as ``must_pass``.
+
+    Returns
+    -------
+    amrmetrics.derivation.Derivation
+        The checked chain, to be shown.
+
+    Raises
+    ------
+    NotYet
+        With the first line that fails and a counterexample, or with what is missing.
+
+    Examples
+    --------
+    >>> from amrmetrics import check
+    >>> D = check.derivation(
+    ...     ["x**2 + 2*x + 1"], "x**2 + 2*x + 1", given="(x + 1)**2", domains={"x": "real"}
+    ... )
+    >>> D.complete
+    True
+    """
+    from amrmetrics.derivation import Derivation
+
+    if not isinstance(lines, list | tuple):
+        raise NotYet(f"a list of lines is asked, one string each; you have {_show(lines)}.")
+    lines = [line for line in lines if line is not ...]
+    if not lines:
+        raise NotYet("there is no answer yet. Enter one string per line of your derivation.")
+    chain = Derivation(goal, given=given, domains=domains, **rules).check(lines)
+    if not chain.complete:
+        raise NotYet(chain.problems[0])  # what follows it is often its consequence
+    return chain
+
+
+def wrong_line(number, corrected, lines, domains):
+    """Check that the mistake in a given derivation was found and put right.
+
+    Number and line have to be right at once, and of a wrong answer only the student's own
+    line is judged: otherwise one could try all numbers.
+
+    Parameters
+    ----------
+    number : int
+        The line that does not follow from the one above it, counted from 1.
+    corrected : str
+        What the student writes in its place.
+    lines : list of str
+        The given derivation, with one wrong step.
+    domains : dict of str to str
+        What each symbol stands for, as in :func:`amrmetrics.derivation.check_step`.
+
+    Raises
+    ------
+    NotYet
+        With what is wrong with the student's line, or that one of the two is wrong.
+
+    Examples
+    --------
+    >>> from amrmetrics import check
+    >>> lines = ["x*(x + 1)", "x**2 + 1", "1 + x**2"]
+    >>> check.wrong_line(2, "x**2 + x", lines, {"x": "real"})
+    """
+    from amrmetrics.derivation import Derivation, check_step
+
+    _require_answer("the number of the line", number)
+    _require_answer("the corrected line", corrected)
+    if not isinstance(number, int) or number not in range(2, len(lines) + 1):
+        raise NotYet(
+            f"the number of the line: a whole number from 2 to {len(lines)} is asked, you have "
+            f"{_show(number)}. The first line is given."
+        )
+    _require_kind("the corrected line", corrected, "text")
+    above, given = lines[number - 2 : number]
+    step = check_step(above, corrected, domains)
+    if step.status == "unreadable":
+        raise NotYet(f"the corrected line is {step.message}")
+
+    def repeats(line):
+        return Derivation(line, domains=domains).check([corrected]).reached
+
+    if repeats(given):
+        raise NotYet(f"the corrected line: this is line {number} as it stands.")
+    if step.status == "refuted":
+        point = ", ".join(f"{symbol} = {x}" for symbol, x in step.witness.items())
+        raise NotYet(
+            f"the corrected line does not follow from line {number - 1}: at {point}, line "
+            f"{number - 1} is {step.before_value} and yours is {step.after_value}."
+        )
+    if repeats(above) or check_step(above, given, domains).status != "refuted":
+        raise NotYet(
+            f"the corrected line follows from line {number - 1}, but that is not all: either line "
+            f"{number} was right as it stood, or your line does not make its move."
+        )
+
+
+def _call(function, arguments):
+    """Return (result, None) or (None, the exception)."""
+    try:
+        return function(*arguments), None
+    except (Exception, SystemExit) as error:  # students' code may raise anything
+        return None, error
+
+
+@contextlib.contextmanager
+def _unavailable(forbidden, yours):
+    """Let `forbidden` functions refuse every call that `yours` makes, by whatever name."""
+    holders = [vars(m) for name, m in sys.modules.items() if name.split(".")[0] == "amrmetrics"]
+    holders.append(getattr(yours, "__globals__", {}))
+    places = [
+        (names, name, original)
+        for names in holders
+        for name, original in list(names.items())
+        if any(original is function for function in forbidden)
+    ]
+    try:
+        for names, name, original in places:
+            names[name] = _refusing(original.__name__)
+        yield
+    finally:
+        for names, name, original in places:
+            names[name] = original
+
+
+def _refusing(name):
+    def refuse(*_arguments, **_options):
+        raise NotYet(f"the library's {name} does what you are asked to write; do without it.")
+
+    return refuse
+
+
+def _describe(error):
+    return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+
+
+def _require_answer(name, yours):
+    if yours is ... or yours is None:
+        raise NotYet(f"{name}: there is no answer yet. Replace the dots.")
+
+
+def _require_kind(name, yours, expected):
+    """Raise unless the answer has the type and shape that is asked."""
+    if isinstance(expected, str | bool):
+        if not isinstance(yours, str | bool | np.bool_) or isinstance(yours, str) != isinstance(
+            expected, str
+        ):
+            kind = "a string" if isinstance(expected, str) else "True or False"
+            raise NotYet(f"{name}: {kind} is asked, you have {_show(yours)}.")
+    elif isinstance(expected, tuple):
+        if not isinstance(yours, tuple | list) or len(yours) != len(expected):
+            raise NotYet(
+                f"{name}: a tuple of {len(expected)} results is asked, you have {_show(yours)}."
+            )
+        for k, (mine, right) in enumerate(zip(yours, expected, strict=True)):
+            _require_kind(f"{name}, result {k + 1}", mine, right)
+    else:
+        try:
+            found = np.asarray(yours, dtype=float)
+        except (TypeError, ValueError):
+            raise NotYet(f"{name}: numbers are asked, you have {_show(yours)}.") from None
+        if found.shape != np.shape(expected):
+            asked = f"shape {np.shape(expected)}" if np.shape(expected) else "one number"
+            raise NotYet(f"{name}: {asked} is asked, you have {_show(yours)}.")
+        if not np.isfinite(found).all() and np.isfinite(expected).all():
+            raise NotYet(f"{name}: you have {_show(yours)}, which is not finite.")
+
+
+def _same(a, b, rtol):
+    if b is ...:
+        return True
+    if isinstance(b, tuple | list):
+        return len(a) == len(b) and all(_same(x, y, rtol) for x, y in zip(a, b, strict=True))
+    if isinstance(b, str | bool):
+        return a == b
+    a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    scale = np.abs(b).max(initial=0.0) or 1.0
+    return a.shape == b.shape and bool(np.allclose(a, b, rtol=0, atol=rtol * scale, equal_nan=True))
+
+
+def _diagnosis(yours, mistakes, rtol):
+    for why, outcome in (mistakes or {}).items():
+        try:
+            if _same(yours, outcome, rtol):
+                return f" It looks as if {why}."
+        except (TypeError, ValueError):
+            continue
+    return ""
+
+
+def _show(answer):
+    """Write an answer as a student would, in at most 80 characters."""
+    if isinstance(answer, np.ndarray | np.generic):
+        answer = answer.tolist()
+    if isinstance(answer, tuple | list):
+        text = ", ".join(map(_show, answer))
+        text = f"({text})" if isinstance(answer, tuple) else f"[{text}]"
+    else:
+        text = f"{answer:.6g}" if isinstance(answer, float) else " ".join(repr(answer).split())
+    return text if len(text) < 80 else text[:77] + "..."
