@@ -1,0 +1,441 @@
+"""From text, or a SymPy object, to the *written form*: a SymPy tree that nothing has cancelled.
+
+Text goes through Python's own parser. Only the listed kinds of node are built, and no text is
+ever run as code.
+"""
+
+import ast
+import difflib
+import re
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+from sympy.logic.boolalg import BooleanAtom
+from sympy.matrices.expressions.matexpr import MatrixElement
+
+MAX_TEXT, MAX_NODES, MAX_DEPTH, MAX_DEGREE = 4000, 2500, 60, 120
+SHAPES = {"vec2": (2, 1), "vec3": (3, 1), "spd2": (2, 2), "spd3": (3, 3), "chol2": (2, 2)}
+SHAPES |= {"rot": (2, 2), "se2": (3, 3)}
+
+_ONE = "sin cos tan cot sinh cosh tanh asin acos atan exp log Abs sign gamma factorial erf erfc"
+_TWO = "atan2 binomial beta uppergamma lowergamma KroneckerDelta Mod"
+FUNCTIONS = {n: getattr(sp, n) for n in f"{_ONE} {_TWO} floor ceiling Max Min".split()}
+ARITY = dict.fromkeys(_TWO.split(), (2, 2)) | {"log": (1, 2), "Max": (1, 9), "Min": (1, 9)}
+OTHER_NAMES = {"abs": "Abs", "max": "Max", "min": "Min", "ln": "log", "arctan2": "atan2"}
+RELATIONS = {n: getattr(sp, n) for n in ("Eq", "Ne", "Gt", "Ge", "Lt", "Le")}
+COMPARE = {ast.Gt: sp.Gt, ast.GtE: sp.Ge, ast.Lt: sp.Lt, ast.LtE: sp.Le}
+CONSTANTS = {"pi": sp.pi, "E": sp.E, "oo": sp.oo}
+MATRIX = {"inv": sp.Inverse, "det": sp.Determinant, "trace": sp.Trace, "transpose": sp.Transpose}
+SCOPED = {"Sum": sp.Sum, "Product": sp.Product, "Integral": sp.Integral}
+SPECIAL = ["sqrt", *SCOPED, "Derivative", "Subs", "Matrix", "eye", "Trace", "det", "And", "Or"]
+
+
+class Unreadable(ValueError):
+    """The line cannot be read; the message says why and what to write instead."""
+
+
+def is_matrix(w):
+    """Whether `w` is a matrix, explicit or symbolic."""
+    return bool(getattr(w, "is_Matrix", False))
+
+
+def is_claim(w):
+    """Whether `w` is an equation or inequality, not a formula."""
+    return isinstance(w, sp.Rel | sp.And | sp.Or | sp.Not | BooleanAtom)
+
+
+def read(line, kinds):
+    """Return the written form of `line` (text or SymPy object), checked for size."""
+    if isinstance(line, str):
+        return vet(_Reader(kinds).line(line), kinds)
+    try:
+        w = sp.sympify(line, strict=True)
+    except (sp.SympifyError, TypeError, ValueError):
+        found = type(line).__name__
+        raise Unreadable(f"a {found} is neither text nor a SymPy object") from None
+    return vet(w.as_immutable() if isinstance(w, sp.MatrixBase) else w, kinds)
+
+
+class _Reader:
+    def __init__(self, kinds):
+        self.kinds, self.bound, self.depth = kinds, [], 0
+
+    def line(self, text):
+        if len(text) > MAX_TEXT:
+            raise Unreadable(f"the line has {len(text)} characters; the limit is {MAX_TEXT}")
+        try:
+            tree = ast.parse(text.strip(), mode="eval")
+        except (SyntaxError, ValueError, MemoryError, RecursionError, OverflowError) as error:
+            raise Unreadable(_hint(text, error)) from None
+        try:
+            return self.build(tree.body)
+        except Unreadable:
+            raise
+        except (RecursionError, TypeError, ValueError, AttributeError, IndexError) as error:
+            raise Unreadable(f"cannot be read as a formula ({type(error).__name__})") from None
+
+    def build(self, node):
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise Unreadable("too deeply nested; split the line into shorter ones")
+        method = getattr(self, "_" + type(node).__name__, None)
+        if method is None:
+            raise Unreadable(f"{type(node).__name__} is not part of a formula")
+        result = method(node)
+        self.depth -= 1
+        return result
+
+    def number(self, node):
+        return _scalar(self.build(node))
+
+    def matrix(self, node, square=False):
+        w = self.build(node)
+        if not is_matrix(w):
+            raise Unreadable(f"{w} is a number, not a matrix")
+        if square and w.shape[0] != w.shape[1]:
+            raise Unreadable(f"a matrix of shape {w.shape[0]} x {w.shape[1]} is not square")
+        return w
+
+    def _Constant(self, node):
+        if type(node.value) is int:
+            return sp.Integer(node.value)
+        if type(node.value) is float and abs(node.value) < 1e300:
+            return sp.Rational(repr(node.value))
+        raise Unreadable(f"{str(node.value)[:30]!r} is not a number")
+
+    def _Name(self, node):
+        name, kind = node.id, self.kinds.get(node.id)
+        if kind in SHAPES:
+            return sp.MatrixSymbol(name, *SHAPES[kind])
+        if kind in ("seq", "function"):
+            how = f"{name}[i]" if kind == "seq" else f"{name}(...)"
+            raise Unreadable(f"{name} is a {'sequence' if kind == 'seq' else kind}: write {how}")
+        if kind or name in self.bound:
+            return sp.Symbol(name)
+        if name in CONSTANTS:
+            return CONSTANTS[name]
+        raise Unreadable(_unknown(name, self.kinds))
+
+    def _UnaryOp(self, node):
+        if not isinstance(node.op, ast.USub | ast.UAdd):
+            raise Unreadable("only + and - may stand before a term")
+        value = self.build(node.operand)
+        return _negative(value) if isinstance(node.op, ast.USub) else value
+
+    def _BinOp(self, node):
+        if isinstance(node.op, ast.Pow):
+            return _power(self.build(node.left), self.build(node.right))
+        for kinds, join, turned in (
+            ((ast.Add, ast.Sub), _plus, _negative),
+            ((ast.Mult, ast.Div, ast.MatMult), _times, _over),
+        ):
+            if isinstance(node.op, kinds):
+                parts = []  # a long sum is a deep tree: walk down its spine
+                while isinstance(node, ast.BinOp) and isinstance(node.op, kinds):
+                    w = self.build(node.right)
+                    parts.append(turned(w) if isinstance(node.op, ast.Sub | ast.Div) else w)
+                    node = node.left
+                return join([self.build(node), *parts[::-1]])
+        if isinstance(node.op, ast.BitXor):
+            raise Unreadable("^ is not a power: write ** instead")
+        raise Unreadable(f"the operator {type(node.op).__name__} is not part of a formula")
+
+    def _Compare(self, node):
+        if len(node.ops) != 1 or type(node.ops[0]) not in COMPARE:
+            raise Unreadable("write an equation as Eq(left, right), one comparison to a line")
+        sides = self.build(node.left), self.build(node.comparators[0])
+        return _relation(COMPARE[type(node.ops[0])], *sides)
+
+    def _Attribute(self, node):
+        if node.attr == "T":
+            return sp.Transpose(self.matrix(node.value))
+        raise Unreadable(f".{node.attr} is not known; matrices have .T, .inv(), .det(), .trace()")
+
+    def _Subscript(self, node):
+        where = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
+        index = [self.number(k) for k in where]
+        if isinstance(node.value, ast.Name) and self.kinds.get(node.value.id) == "seq":
+            return sp.IndexedBase(node.value.id)[tuple(index) if len(index) > 1 else index[0]]
+        w = self.matrix(node.value)
+        if len(index) == 1 and w.shape[1] == 1:
+            index.append(sp.Integer(0))
+        inside = [k.is_Integer and 0 <= k < n for k, n in zip(index, w.shape, strict=False)]
+        if len(index) != 2 or not all(inside):
+            shape = f"{w.shape[0]} x {w.shape[1]}"
+            raise Unreadable(f"entries of a {shape} matrix are written M[row, column], from 0")
+        return _entry(w, *index)
+
+    def _Call(self, node):
+        if node.keywords or any(isinstance(a, ast.Starred) for a in node.args):
+            raise Unreadable("options cannot be passed to a function here")
+        if isinstance(node.func, ast.Attribute):
+            if node.func.attr not in MATRIX or node.args:
+                return self._Attribute(node.func)
+            square = node.func.attr != "transpose"
+            return MATRIX[node.func.attr](self.matrix(node.func.value, square))
+        if not isinstance(node.func, ast.Name):
+            raise Unreadable("a bracket after a number or bracket: write * for a product")
+        name = OTHER_NAMES.get(node.func.id, node.func.id)
+        if self.kinds.get(name) == "function":
+            return sp.Function(name)(*[self.number(a) for a in _counted(node, 1, 4)])
+        if name in self.kinds or name in self.bound:
+            raise Unreadable(f"{name} is not a function: write {name}*(...) for a product")
+        if name in FUNCTIONS:
+            values = [self.number(a) for a in _counted(node, *ARITY.get(name, (1, 1)))]
+            if name == "log" and len(values) == 2:
+                return _times([sp.log(values[0], evaluate=False), _over(sp.log(values[1]))])
+            return FUNCTIONS[name](*values, evaluate=False)
+        if name in RELATIONS:
+            return _relation(RELATIONS[name], *[self.build(a) for a in _counted(node, 2, 2)])
+        if name in SCOPED:
+            return self.scoped(node, SCOPED[name])
+        if name not in SPECIAL:
+            raise Unreadable(_unknown(name, self.kinds))
+        return getattr(self, "make_" + name)(node)
+
+    def make_sqrt(self, node):
+        return _power(self.build(*_counted(node, 1, 1)), sp.Rational(1, 2))
+
+    def make_And(self, node):
+        return sp.And(*[self.build(a) for a in _counted(node, 1, 9)], evaluate=False)
+
+    def make_Or(self, node):
+        return sp.Or(*[self.build(a) for a in _counted(node, 1, 9)], evaluate=False)
+
+    def make_Trace(self, node):
+        return sp.Trace(self.matrix(*_counted(node, 1, 1), square=True))
+
+    def make_det(self, node):
+        return sp.Determinant(self.matrix(*_counted(node, 1, 1), square=True))
+
+    def make_eye(self, node):
+        n = self.build(*_counted(node, 1, 1))
+        if not (n.is_Integer and 1 <= n <= 6):
+            raise Unreadable("eye(n) needs a whole number n from 1 to 6")
+        return sp.eye(int(n)).as_immutable()
+
+    def make_Matrix(self, node):
+        (rows,) = _counted(node, 1, 1)
+        rows = [getattr(r, "elts", [r]) for r in getattr(rows, "elts", [])]
+        if not rows or len({len(r) for r in rows}) != 1 or not 1 <= len(rows[0]) <= 6 >= len(rows):
+            raise Unreadable("write Matrix([[a, b], [c, d]]) or Matrix([a, b]), at most 6 x 6")
+        return sp.ImmutableMatrix([[self.number(x) for x in row] for row in rows])
+
+    def scoped(self, node, kind):
+        """Sum, Product and Integral: (expression, (variable, low, high), ...), outermost last."""
+        limits, outside = [], len(self.bound)
+        for limit in node.args[:0:-1]:
+            parts = getattr(limit, "elts", [])
+            if len(parts) != 3 or not isinstance(parts[0], ast.Name):
+                break
+            ends = [self.number(x) for x in parts[1:]]
+            self.bound.append(parts[0].id)
+            limits.append((sp.Symbol(parts[0].id), *ends))
+        if not limits or len(limits) != len(node.args) - 1:
+            name = node.func.id
+            raise Unreadable(f"{name} needs limits: {name}(expression, (variable, from, to))")
+        body = self.number(node.args[0])
+        del self.bound[outside:]
+        return kind(body, *limits[::-1])
+
+    def make_Derivative(self, node):
+        variables = []
+        for a in _counted(node, 2, 7)[1:]:
+            x, times = a.elts if isinstance(a, ast.Tuple) and len(a.elts) == 2 else (a, None)
+            if isinstance(x, ast.Constant) and variables:
+                x, times = None, ast.Constant(x.value - 1)
+            x = variables[-1] if x is None else self.build(x)
+            n = 1 if times is None else self._Constant(times)
+            variables += [x] * int(min(n, 9))
+        if len(variables) > 6 or not all(isinstance(v, sp.Symbol | sp.Indexed) for v in variables):
+            raise Unreadable("a derivative is taken by one variable at a time, at most six times")
+        return sp.Derivative(self.number(node.args[0]), *variables)
+
+    def make_Subs(self, node):
+        body, name, value = _counted(node, 3, 3)
+        if not isinstance(name, ast.Name):
+            raise Unreadable("write Subs(expression, variable, value)")
+        value = self.number(value)
+        self.bound.append(name.id)
+        w = sp.Subs(self.number(body), sp.Symbol(name.id), value)
+        self.bound.pop()
+        return w
+
+
+def _counted(node, low, high):
+    if not low <= len(node.args) <= high:
+        count = low if low == high else f"{low} to {high}"
+        raise Unreadable(f"{node.func.id} takes {count} argument{'s' * (high > 1)}")
+    return node.args
+
+
+def _entry(w, i, j):
+    return w[i, j] if isinstance(w, sp.MatrixBase) else MatrixElement(w, i, j)
+
+
+def _scalar(w):
+    """Return `w` as a number: a 1 x 1 matrix is its entry."""
+    if is_claim(w):
+        raise Unreadable("an equation cannot stand inside a formula")
+    if not is_matrix(w):
+        return w
+    if tuple(w.shape) != (1, 1):
+        raise Unreadable(f"a {w.shape[0]} x {w.shape[1]} matrix stands where a number is needed")
+    return _entry(w, 0, 0)
+
+
+def alike(parts):
+    """Return `parts`, all numbers or all matrices of one shape."""
+    shapes = {tuple(w.shape) if is_matrix(w) else (1, 1) for w in parts}
+    if shapes == {(1, 1)} or any(is_claim(w) for w in parts):
+        return [_scalar(w) for w in parts]
+    if len(shapes) > 1:
+        names = ["a number" if s == (1, 1) else f"a {s[0]} x {s[1]} matrix" for s in sorted(shapes)]
+        raise Unreadable(f"the shapes do not fit: {' and '.join(names)}")
+    return list(parts)
+
+
+def _relation(kind, left, right):
+    left, right = alike([left, right])
+    if kind is not sp.Eq and is_matrix(left):
+        raise Unreadable("matrices cannot be ordered by < or >")
+    return kind(left, right, evaluate=False)
+
+
+def _flat(parts, kind):
+    return [x for w in parts for x in (w.args if type(w) is kind else [w])]
+
+
+def _plus(parts):
+    parts = alike(parts)
+    if is_matrix(parts[0]):
+        return sp.MatAdd(*parts, evaluate=False)
+    return sp.Add(*_flat(parts, sp.Add), evaluate=False)
+
+
+def _times(parts):
+    if not any(is_matrix(w) for w in parts):
+        parts = [_scalar(w) for w in parts]
+        if len(parts) == 2 and all(w.is_Number or w.func is sp.Pow for w in parts):
+            fraction = parts[0] * parts[1]
+            if parts[0].is_Integer and fraction.is_Rational:
+                return fraction  # 1/2 is a number, not a quotient
+        return sp.Mul(*_flat(parts, sp.Mul), evaluate=False)
+    scalars, factors = [], []
+    for w in parts:
+        shape = tuple(w.shape) if is_matrix(w) else None
+        before = factors and (factors[0].shape[0], factors[-1].shape[1])
+        if shape is None or (before and shape == (1, 1) != before[1:] + (1,)):
+            scalars.append(_scalar(w))
+        elif before and before[1] != shape[0]:
+            if before != (1, 1):
+                fit = f"{before[0]} x {before[1]} times {shape[0]} x {shape[1]}"
+                raise Unreadable(f"the shapes do not fit: {fit}; is a .T missing?")
+            scalars.append(_scalar(sp.MatMul(*factors, evaluate=False)))
+            factors = [w]
+        else:
+            factors.append(w)
+    return sp.MatMul(*scalars, *factors, evaluate=False)
+
+
+def _negative(w):
+    if w.is_Number:
+        return -w
+    if isinstance(w, sp.Mul) and w.args[0].is_Number:
+        return sp.Mul(-w.args[0], *w.args[1:], evaluate=False)
+    return _times([sp.Integer(-1), w])
+
+
+def _over(w):
+    if is_matrix(w) and tuple(w.shape) != (1, 1):
+        raise Unreadable("one cannot divide by a matrix: multiply by its .inv()")
+    return _power(w, sp.Integer(-1))
+
+
+def _power(base, exponent):
+    exponent = _scalar(exponent)
+    if is_matrix(base) and tuple(base.shape) != (1, 1):
+        if base.shape[0] != base.shape[1]:
+            raise Unreadable("only a square matrix has powers")
+        if exponent == -1:
+            return sp.Inverse(base)
+        if not (exponent.is_Integer and 1 <= exponent <= 6):
+            raise Unreadable("a power of a matrix is a whole number from 1 to 6, or .inv()")
+        return sp.MatMul(*[base] * int(exponent), evaluate=False)
+    base = _scalar(base)
+    if base == 0 and exponent.is_Number and exponent < 0:
+        raise Unreadable("division by zero")
+    return sp.Pow(base, exponent, evaluate=False)
+
+
+def _unknown(name, kinds):
+    known = [*kinds, *FUNCTIONS, *RELATIONS, *SPECIAL, *CONSTANTS]
+    close = difflib.get_close_matches(name, known, 1, 0.6)
+    close = close or [k for k in known if k.lower() == name.lower()]
+    ask = f"did you mean {close[0]}?" if close else "declare it in the domains"
+    return f"{name[:40]} is not declared; {ask}"
+
+
+def _hint(text, error):
+    for pattern, hint in (
+        (r"^\s*$", "the line is empty"),
+        (r"\blambda\b", "lambda is a reserved word: call it lam"),
+        (r"(?<![\w.])\d+(\.\d+)?(?![eE][+-]?\d)[A-Za-z_]", "a product needs its sign: 2*x, not 2x"),
+        (r"(?<![=<>!])=(?!=)", "write an equation as Eq(left, right)"),
+    ):
+        if re.search(pattern, text):
+            return hint
+    if text.count("(") != text.count(")") or text.count("[") != text.count("]"):
+        return "the brackets do not match"
+    return f"cannot be read: {getattr(error, 'msg', None) or 'too complicated'}"
+
+
+def tidy(w):
+    """Put order, signs and numbers straight, as SymPy does on building; compute nothing else."""
+    if isinstance(w, sp.MatrixBase):
+        return w.applyfunc(tidy)
+    if w.is_Atom or not w.args:
+        return sp.Symbol(w.name) if type(w) is sp.Symbol else w
+    args = [tidy(a) for a in w.args]
+    return w.func(*args, evaluate=False) if isinstance(w, sp.Rel) else w.func(*args)
+
+
+def vet(w, kinds):
+    """Refuse what is too large to work on and what is not declared, in text and SymPy objects."""
+    from .evaluating import Undefined, Unreliable, magnitude_ok
+
+    bound = set()
+    for count, node in enumerate(sp.preorder_traversal(w)):
+        if count > MAX_NODES:
+            raise Unreadable("the line is too long; split it")
+        if node in (sp.nan, sp.zoo):
+            raise Unreadable("the line contains a value that is not defined, such as 1/0")
+        if isinstance(node, sp.Sum | sp.Product | sp.Integral | sp.Subs):
+            bound |= {v.name for v in node.variables}
+        if type(node) is sp.Symbol and node.name not in kinds and node.name not in bound:
+            raise Unreadable(_unknown(node.name, kinds))
+        part, limit = None, 1e300
+        if isinstance(node, sp.Pow) and node.base.free_symbols and not node.exp.free_symbols:
+            part, limit = node.exp, MAX_DEGREE
+        elif isinstance(node, sp.Pow | sp.Function) and not isinstance(node, AppliedUndef):
+            part = None if node.free_symbols else node
+        try:
+            if part is not None and not magnitude_ok(part, limit):
+                raise Unreadable("a number or an exponent in this line is too large to work with")
+        except (Undefined, Unreliable):
+            raise Unreadable("a number in this line is not defined or too large") from None
+    if degree(w) > 4 * MAX_DEGREE:
+        raise Unreadable("the powers in this line are too large to check")
+    return w
+
+
+def degree(w):
+    """Return a bound for the polynomial degree after expanding."""
+    if w.is_Atom or not w.args:
+        return int(w.is_Symbol)
+    inner = [degree(a) for a in w.args]
+    if isinstance(w, sp.Mul | sp.MatMul):
+        return sum(inner)
+    if isinstance(w, sp.Pow) and w.exp.is_Rational:
+        return float(abs(w.exp)) * inner[0]
+    return max(inner)
