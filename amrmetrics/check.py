@@ -274,11 +274,14 @@ def derivation(lines, goal, *, given, domains, **rules):
     """
     from amrmetrics.derivation import Derivation
 
+    _require_answer("the derivation", lines)
     if not isinstance(lines, list | tuple):
         raise NotYet(f"a list of lines is asked, one string each; you have {_show(lines)}.")
     lines = [line for line in lines if line is not ...]
     if not lines:
-        raise NotYet("there is no answer yet. Enter one string per line of your derivation.")
+        raise NotYet("the derivation: there is no answer yet. Enter one string per line.")
+    for number, line in enumerate(lines, 1):
+        _require_kind(f"line {number}", line, "text")
     chain = Derivation(goal, given=given, domains=domains, **rules).check(lines)
     if not chain.complete:
         raise NotYet(chain.problems[0])  # what follows it is often its consequence
@@ -407,7 +410,10 @@ def _require_kind(name, yours, expected):
             _require_kind(f"{name}, result {k + 1}", mine, right)
     else:
         try:
-            found = np.asarray(yours, dtype=float)
+            found = np.asarray(yours)
+            if found.dtype.kind in "bcSU":  # NumPy would read "2" as 2.0
+                raise TypeError
+            found = found.astype(float)
         except (TypeError, ValueError):
             raise NotYet(f"{name}: numbers are asked, you have {_show(yours)}.") from None
         if found.shape != np.shape(expected):
@@ -425,7 +431,7 @@ def _same(a, b, rtol):
     if isinstance(b, str | bool):
         return a == b
     a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
-    scale = np.abs(b).max(initial=0.0) or 1.0
+    scale = np.abs(b[np.isfinite(b)]).max(initial=0.0) or 1.0
     return a.shape == b.shape and bool(np.allclose(a, b, rtol=0, atol=rtol * scale, equal_nan=True))
 
 

@@ -1,0 +1,154 @@
+"""Problem sets tell right answers from wrong ones, part by part, and keep the rules of the house.
+
+The answers stand in ``tests/answers``; `exercise` puts them in. Wrong ones meet the checks that a
+student sees, right ones also those that only the grader sees.
+"""
+
+import ast
+import contextlib
+import io
+import re
+import tokenize
+
+import nbformat
+import pytest
+from exercise import ROOT, ProblemSet, grade_id, is_check, is_part, nbgrader, steps_checked_once
+from nbclient import NotebookClient
+
+NAMES = sorted(path.parent.name for path in (ROOT / "solutions").glob("*/*.ipynb"))
+SETS = {name: ProblemSet(name) for name in NAMES}
+PARTS = [(name, part) for name in NAMES for part in SETS[name].official]
+ANSWERS = [(name, answer) for name in NAMES for answer in SETS[name].answers()]
+
+each_set = pytest.mark.parametrize("name", NAMES)
+each_part = pytest.mark.parametrize(("name", "part"), PARTS, ids=lambda x: x)
+
+
+def each_answer(kind):
+    chosen = [(name, answer) for name, answer in ANSWERS if answer.kind == kind]
+    ids = [f"{name}-{answer.part}-{answer.what}" for name, answer in chosen]
+    return pytest.mark.parametrize(("name", "answer"), chosen, ids=ids)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def remember():
+    with steps_checked_once():
+        yield
+
+
+@each_answer("wrong")
+def test_wrong_answer_fails_in_its_own_part_and_is_told_why(name, answer):
+    problem_set = SETS[name]
+    verdicts = problem_set.run({answer.part: answer.source})
+    assert [part for part, error in verdicts.items() if error] == [answer.part]
+    error = verdicts[answer.part]
+    assert isinstance(error, AssertionError), repr(error)
+    assert len(str(error)) > 20
+    for secret in secrets(problem_set, answer.part):
+        assert secret in answer.source or secret not in str(error)
+
+
+@each_answer("right")
+def test_right_answer_passes(name, answer):
+    verdicts = SETS[name].run({answer.part: answer.source}, hidden=True)
+    assert [error for error in verdicts.values() if error] == []
+
+
+@each_set
+def test_untouched_exercise_fails_in_every_part(name):
+    verdicts = SETS[name].run_untouched()
+    assert list(verdicts) == list(SETS[name].official)
+    for part, error in verdicts.items():
+        assert "there is no answer yet" in str(error), part
+
+
+@each_set
+def test_untouched_exercise_in_a_kernel(name, tmp_path, monkeypatch):
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))
+    notebook = nbformat.from_dict(SETS[name].exercise)
+    NotebookClient(notebook, allow_errors=True, timeout=60).execute(cwd=tmp_path)
+    for cell in notebook.cells:
+        failed = [out for out in cell.get("outputs", []) if out.output_type == "error"]
+        assert bool(failed) == is_check(cell), grade_id(cell)
+        for out in failed:
+            assert out.traceback == [f"Not yet: {out.evalue}"]
+
+
+@each_part
+class TestPart:
+    def test_is_told_from_wrong_answers(self, name, part):
+        kinds = [a.kind for n, a in ANSWERS if (n, a.part) == (name, part)]
+        assert kinds.count("wrong") >= 6
+        assert kinds.count("right") >= 2
+
+    def test_the_exercise_does_not_show_the_answer(self, name, part):
+        assert secrets(SETS[name], part)
+
+    def test_functions_are_typed_and_say_what_they_return(self, name, part):
+        cell = next(c for c in SETS[name].exercise.cells if grade_id(c) == part)
+        for node in ast.parse(cell.source).body:
+            if isinstance(node, ast.FunctionDef):
+                assert ast.get_docstring(node)
+                assert node.returns
+
+
+@each_set
+class TestProblemSet:
+    def test_has_the_size_of_a_problem_set(self, name):
+        cells = SETS[name].exercise.cells
+        words = sum(len(c.source.split()) for c in cells if c.cell_type == "markdown")
+        assert 12 <= len(cells) <= 20
+        assert 300 <= words <= 600
+
+    def test_every_part_has_two_hints(self, name):
+        prose = "\n".join(c.source for c in SETS[name].exercise.cells if c.cell_type == "markdown")
+        for section in re.split(r"^## ", prose, flags=re.MULTILINE)[1:]:
+            assert section.count("<details>") == section.count("</details>") == 2, section[:40]
+
+    def test_every_answer_stands_between_markers(self, name):
+        for cell in SETS[name].solution.cells:
+            if nbgrader(cell).get("solution"):
+                begins = cell.source.count("### BEGIN SOLUTION")
+                assert begins == cell.source.count("### END SOLUTION") > 0, grade_id(cell)
+
+    def test_every_part_has_its_check_and_its_points(self, name):
+        graded = [c for c in SETS[name].solution.cells if nbgrader(c).get("grade")]
+        assert all(nbgrader(c)["points"] > 0 for c in graded)
+        header = SETS[name].solution.cells[0].source
+        assert f"{sum(nbgrader(c)['points'] for c in graded)} points" in header
+        code = [c for c in SETS[name].solution.cells if is_part(c) or is_check(c)]
+        assert [is_part(c) for c in code] == [True, False] * (len(code) // 2)
+
+    def test_no_check_ends_in_a_value(self, name):
+        """To nbgrader the value of a check cell is the number of points."""
+        for cell in filter(is_check, SETS[name].solution.cells):
+            kinds = [output.output_type for output in cell.outputs]
+            assert "execute_result" not in kinds, f"{grade_id(cell)}: print or display it"
+
+    def test_every_cell_has_its_own_grade_id_and_no_checksum(self, name):
+        cells = [c for c in SETS[name].solution.cells if nbgrader(c)]
+        assert len({grade_id(c) for c in cells}) == len(cells)
+        assert not [grade_id(c) for c in cells if "checksum" in nbgrader(c)]
+
+    def test_has_every_kind_of_question(self, name):
+        checks = "\n".join(c.source for c in SETS[name].solution.cells if is_check(c))
+        for call in ("value", "derivation", "function", "wrong_line", "test_function"):
+            assert f"check.{call}(" in checks, call
+        by_hand = [c for c in SETS[name].solution.cells if nbgrader(c).get("grade")]
+        assert [c for c in by_hand if nbgrader(c)["solution"]], "no question answered in prose"
+
+
+def secrets(problem_set, part):
+    """Return the texts, numbers and lines of an official answer that the exercise does not show."""
+    shown = "\n".join(cell.source for cell in problem_set.exercise.cells)
+    regions = re.findall(
+        r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", problem_set.official[part], re.DOTALL
+    )
+    found = set()
+    for region in regions:
+        found |= {line.strip() for line in region.splitlines() if len(line.strip()) > 20}
+        with contextlib.suppress(tokenize.TokenError, IndentationError):
+            for token in tokenize.generate_tokens(io.StringIO(region).readline):
+                if token.type in (tokenize.STRING, tokenize.NUMBER):
+                    found.add(token.string.strip("\"'"))
+    return {text for text in found if len(text) > 2 and text not in shown}

@@ -1,0 +1,346 @@
+"""Feedback in problem sets: right answers pass, wrong ones are told why and nothing more."""
+
+import re
+
+import numpy as np
+import pytest
+
+import amrmetrics as am
+from amrmetrics import check
+from amrmetrics.check import NotYet
+
+
+def message(call, *arguments, **options):
+    """Return what a student reads, on one line."""
+    with pytest.raises(NotYet) as caught:
+        call(*arguments, **options)
+    text = str(caught.value)
+    assert "\n" not in text
+    return text
+
+
+def test_a_student_reads_the_message_and_no_traceback():
+    assert NotYet("the sign.")._render_traceback_() == ["Not yet: the sign."]
+    assert issubclass(NotYet, AssertionError)
+
+
+class TestValue:
+    @pytest.mark.parametrize(
+        ("yours", "expected"),
+        [
+            (2, 2.0),
+            (2.0000001, 2),
+            (np.float64(2), 2),
+            ([1, 2], np.array([1.0, 2.0])),
+            ((1, 2), (1, 2)),
+            (0, 0.0),
+            ("yes", "yes"),
+            (True, True),
+            (np.True_, True),
+            (float("nan"), float("nan")),
+        ],
+    )
+    def test_accepts_what_is_right(self, yours, expected):
+        check.value("x", yours, expected)
+
+    @pytest.mark.parametrize(
+        ("yours", "expected", "says"),
+        [
+            (..., 2, "no answer yet"),
+            (None, 2, "no answer yet"),
+            (2.1, 2, "2.1 is not right"),
+            (1e-3, 0, "0.001 is not right"),
+            (-2, 2, "-2 is not right"),
+            ("2", 2, "numbers are asked, you have '2'"),
+            ("two", 2, "numbers are asked"),
+            (["1", "2"], [1, 2], "numbers are asked"),
+            (2j, 2, "numbers are asked"),
+            ([1, 2], 1, "one number is asked, you have [1, 2]"),
+            ([1, 2, 3], [1, 2], "shape (2,) is asked"),
+            (5, (1, 2), "a tuple of 2 results is asked"),
+            ((1, 2, 3), (1, 2), "a tuple of 2 results is asked"),
+            (float("nan"), 2, "not finite"),
+            (float("inf"), 2, "not finite"),
+            (1, "yes", "a string is asked"),
+            (1, True, "True or False is asked"),
+            ("yes", True, "True or False is asked"),
+            (False, True, "False is not right"),
+            ("no", "yes", "'no' is not right"),
+            (object, 2, "numbers are asked"),
+        ],
+    )
+    def test_says_what_is_wrong(self, yours, expected, says):
+        assert says in message(check.value, "x", yours, expected)
+
+    def test_names_the_misconception_and_not_the_answer(self):
+        mistakes = {"the sign is turned": -1234.5, "this is in degrees": 70731.6}
+        text = message(check.value, "x", -1234.5, 1234.5, mistakes)
+        assert text == "x: -1234.5 is not right. It looks as if the sign is turned."
+        assert message(check.value, "x", 7, 1234.5, mistakes) == "x: 7 is not right."
+
+    def test_the_tolerance_is_relative(self):
+        check.value("x", 1.0005e6, 1e6, rtol=1e-3)
+        assert message(check.value, "x", 1.002e6, 1e6, rtol=1e-3)
+        assert message(check.value, "x", [1e6, 0.9], [1e6, 1.0], rtol=1e-9)
+
+    def test_long_answers_are_cut(self):
+        assert len(message(check.value, "x", "long" * 500, "short")) < 120
+
+
+def double(x):
+    return 2 * x
+
+
+class TestFunction:
+    CASES = {"three": (3.0,), "an array": (np.array([1.0, -2.0]),)}
+
+    def test_accepts_what_is_right(self):
+        check.function(lambda x: x + x, self.CASES, double)
+
+    @pytest.mark.parametrize(
+        ("yours", "says"),
+        [
+            (lambda x: x, "wrong for three: it returns 3. It looks as if nothing is doubled."),
+            (lambda x: 7.0, "wrong for three: it returns 7."),
+            (lambda x: 6.0, "an array: shape (2,) is asked, you have 6"),
+            (lambda x: None, "no answer yet"),
+            (lambda x: ..., "no answer yet"),
+            (lambda x: "6", "numbers are asked"),
+            (lambda x: 1 / 0, "stops for three with ZeroDivisionError: division by zero"),
+            (lambda: 6, "stops for three with TypeError"),
+            (6.0, "a function is asked, you have 6"),
+            (..., "a function is asked"),
+        ],
+    )
+    def test_says_what_is_wrong(self, yours, says):
+        mistakes = {"nothing is doubled": lambda x: x, "x is zero": lambda x: 1 / 0}
+        assert says in message(check.function, yours, self.CASES, double, mistakes)
+
+    def test_survives_code_that_never_ends_or_leaves(self):
+        def endless(x):
+            return endless(x)
+
+        def leaves(x):
+            raise SystemExit
+
+        assert "RecursionError" in message(check.function, endless, self.CASES, double)
+        assert "SystemExit" in message(check.function, leaves, self.CASES, double)
+
+    def test_sees_that_the_input_was_changed(self):
+        def spoils(x):
+            x *= 2
+            return x
+
+        cases = {"an array": (np.array([1.0, 2.0]),)}
+        assert "changes its input" in message(check.function, spoils, cases, double)
+        assert cases["an array"][0].tolist() == [1.0, 2.0]
+
+    def test_demands_the_error_that_the_right_function_raises(self):
+        def root(x):
+            if x < 0:
+                raise ValueError("x is negative")
+            return x**0.5
+
+        def other_error(x):
+            raise KeyError("x")
+
+        cases = {"a negative number": (-1.0,)}
+        check.function(root, cases, root)
+        assert "raise a ValueError" in message(check.function, lambda x: 0.0, cases, root)
+        assert "raises KeyError" in message(check.function, other_error, cases, root)
+
+    def test_a_mistake_may_leave_a_result_open(self):
+        def pair(x):
+            return x, 2 * x
+
+        mistakes = {"the first sign is turned": lambda x: (-x, ...)}
+        cases = {"three": (3.0,)}
+        text = message(check.function, lambda x: (-x, 99.0), cases, pair, mistakes)
+        assert text.endswith("It looks as if the first sign is turned.")
+        text = message(check.function, lambda x: (x, 99.0), cases, pair, mistakes)
+        assert text.endswith("it returns (3, 99).")
+
+    @pytest.mark.parametrize("name", ["am.align", "am.alignment.align", "align"])
+    def test_the_function_that_is_to_be_written_cannot_be_called(self, name):
+        def answer(p, q):
+            return am.align(p, q).angle
+
+        p = np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]])
+        cases = {"a triangle": (p, p @ [[0.6, 0.8], [-0.8, 0.6]])}
+        original = am.align
+        student = {"am": am, "align": original}
+        exec(f"def theirs(p, q):\n    return {name}(p, q).angle", student)
+        check.function(student["theirs"], cases, answer)
+        text = message(check.function, student["theirs"], cases, answer, without=(original,))
+        assert "the library's align does what you are asked to write" in text
+        assert am.align is am.alignment.align is student["align"] is original
+        check.function(answer, cases, answer)
+
+
+class TestFormula:
+    DOMAINS = {"x": "real", "y": ">0"}
+
+    @pytest.mark.parametrize("yours", ["2*x*y", "x*y + y*x", "(2*x)*y"])
+    def test_accepts_every_form(self, yours):
+        check.formula("slope", yours, "Derivative(x**2*y, x)", self.DOMAINS)
+
+    @pytest.mark.parametrize(
+        ("yours", "says"),
+        [
+            (..., "slope: there is no answer yet"),
+            (2, "slope: a string is asked, you have 2"),
+            ("2*x y", "slope is unreadable"),
+            ("2*z", "slope is unreadable: z is not declared"),
+            ("Derivative(x**2*y, x)", "slope: Derivative still stands in your formula"),
+            ("-2*x*y", "slope: -2*x*y is not right. It looks as if the sign is turned."),
+            ("x*y", "it makes slope equal to 1 instead of 2."),
+        ],
+    )
+    def test_says_what_is_wrong(self, yours, says):
+        mistakes = {"the sign is turned": "-2*x*y"}
+        text = message(
+            check.formula,
+            *("slope", yours, "Derivative(x**2*y, x)", self.DOMAINS),
+            mistakes=mistakes,
+            without=("Derivative",),
+        )
+        assert says in text
+
+    def test_judges_an_angle_by_what_it_leads_to(self):
+        into = "C*cos({0}) + S*sin({0})"
+        domains = {"C": "real", "S": "real"}
+        mistakes = {"this is the opposite": "-sqrt(C**2 + S**2)"}
+        task = ("theta", "sqrt(C**2 + S**2)", domains, into, mistakes)
+
+        def judged(yours):
+            return message(check.formula, task[0], yours, *task[1:])
+
+        check.formula(task[0], "atan2(S, C)", *task[1:])
+        check.formula(task[0], "atan2(S, C) - 2*pi", *task[1:])
+        assert "this is the opposite" in judged("atan2(-S, -C)")
+        assert "it makes C*cos(theta) + S*sin(theta) equal to" in judged("atan2(C, S)")
+
+
+class TestWrongLine:
+    LINES = ("x*(x + y)", "x**2 + y", "y*(x**2/y + 1)", "(y**2 + x**2*y)/y")
+    DOMAINS = {"x": ">0", "y": ">0"}
+
+    @pytest.mark.parametrize("line", ["x**2 + x*y", "y*x + x*x"])
+    def test_accepts_the_right_pair(self, line):
+        check.wrong_line(2, line, self.LINES, self.DOMAINS)
+
+    @pytest.mark.parametrize(
+        ("number", "line", "says"),
+        [
+            (..., "x**2 + x*y", "no answer yet"),
+            (2, ..., "no answer yet"),
+            (1, "x**2", "a whole number from 2 to 4 is asked"),
+            (5, "x**2", "a whole number from 2 to 4 is asked"),
+            ("2", "x**2", "a whole number from 2 to 4 is asked"),
+            (2.0, "x**2", "a whole number from 2 to 4 is asked"),
+            (True, "x**2", "a whole number from 2 to 4 is asked"),
+            (2, 5, "a string is asked"),
+            (2, "2x", "unreadable"),
+            (2, "z", "z is not declared"),
+            (2, "y + x**2", "this is line 2 as it stands"),
+            (3, "y*(1 + x**2/y)", "this is line 3 as it stands"),
+            (2, "x**2 + 2*y", "at x = 1, y = 1, line 1 is 2 and yours is 3"),
+            (2, "(x + y)*x", "that is not all"),
+            (3, "y + x**2", "that is not all"),
+            (3, "(x**3 + x*y)/x", "that is not all"),
+            (4, "x*x + y", "that is not all"),
+        ],
+    )
+    def test_says_what_is_wrong_with_the_line(self, number, line, says):
+        assert says in message(check.wrong_line, number, line, self.LINES, self.DOMAINS)
+
+    def test_a_wrong_number_and_a_wrong_line_sound_alike(self):
+        """Else the number could be found by trying all of them."""
+        said = set()
+        for k in (2, 3, 4):
+            above = self.LINES[k - 2]
+            text = message(check.wrong_line, k, f"0 + {above}", self.LINES, self.DOMAINS)
+            said.add(re.sub(r"\d", "#", text))
+        assert len(said) == 1
+
+
+class TestTestFunction:
+    RIGHT = {"abs": abs}
+    WRONG = {"forgets the sign": lambda x: x, "is constant": lambda x: 1}
+
+    def test_accepts_a_test_that_tells_them_apart(self):
+        def sound(size):
+            assert size(-2) == 2
+            assert size(3) == 3
+
+        check.test_function(sound, self.RIGHT, self.WRONG)
+
+    @pytest.mark.parametrize(
+        ("yours", "says"),
+        [
+            (..., "a function is asked"),
+            (lambda size: None, "no answer yet: your test never calls"),
+            (lambda size: ..., "no answer yet: your test never calls"),
+            (lambda size: size(2), "accepts an implementation that forgets the sign"),
+            (lambda size: size(-2) == 2, "It returns False; use assert instead"),
+            (lambda size: size(), "breaks with TypeError"),
+        ],
+    )
+    def test_says_what_is_wrong(self, yours, says):
+        assert says in message(check.test_function, yours, self.RIGHT, self.WRONG)
+
+    def test_a_test_that_rejects_everything_rejects_what_is_right(self):
+        def grumpy(size):
+            raise AssertionError(f"{size(2)} is not good enough")
+
+        text = message(check.test_function, grumpy, self.RIGHT, self.WRONG)
+        assert text == (
+            "your test rejects an implementation that is right (abs): 2 is not good enough."
+        )
+
+    def test_a_failed_assertion_is_asked_for_not_any_error(self):
+        def clumsy(size):
+            if size(-2) != 2:
+                raise RuntimeError("no")
+
+        text = message(check.test_function, clumsy, self.RIGHT, self.WRONG)
+        assert "breaks with RuntimeError: no" in text
+
+    def test_the_second_wrong_implementation_has_to_be_found_too(self):
+        def half(size):
+            assert size(-1) == 1
+
+        text = message(check.test_function, half, self.RIGHT, self.WRONG)
+        assert text == "your test accepts an implementation that is constant."
+
+
+class TestDerivation:
+    TASK = {
+        "goal": "x**2 + 2*x + 1",
+        "given": "(x + 1)**2",
+        "domains": {"x": "real"},
+        "must_pass": {"one bracket": "x*(x + 1) + x + 1"},
+    }
+    LINES = ("x*(x + 1) + x + 1", "x**2 + 2*x + 1")
+
+    def test_returns_the_chain_to_be_shown(self):
+        assert check.derivation(list(self.LINES), **self.TASK).complete
+        assert check.derivation(self.LINES, **self.TASK).complete
+
+    @pytest.mark.parametrize(
+        ("lines", "says"),
+        [
+            ([], "no answer yet"),
+            ([...], "no answer yet"),
+            (..., "no answer yet"),
+            (None, "no answer yet"),
+            ("x**2 + 2*x + 1", "a list of lines is asked"),
+            (["x**2 + 2*x + 1"], "one bracket"),
+            (["x*(x + 1) + x + 1"], "goal"),
+            (["x*(x + 1) + x + 1", "x**2 + 1", "x**2 + 2*x + 1"], "line 2"),
+            (["x*(x + 1) + x + 1", 5], "line 2"),
+            (["x*(x + 1) + x + 1", ("2x",)], "line 2"),
+        ],
+    )
+    def test_says_what_is_wrong(self, lines, says):
+        assert says in message(check.derivation, lines, **self.TASK)
