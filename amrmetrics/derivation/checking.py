@@ -1,8 +1,8 @@
 """One step: read, conditions, refute, prove."""
 
 import threading
-from functools import partial
 from dataclasses import dataclass, field
+from functools import partial
 
 import mpmath
 import sympy as sp
@@ -134,6 +134,9 @@ class _Step:
         finished, wrong = bounded(lambda: self.refute(search), 4.0)
         if wrong or search.found:
             return self.refuted(search)
+        if search.suspect:
+            text = "undecided: the lines seem to differ, but not surely enough to call it wrong"
+            return Verdict("undecided", text, conditions=needed)
         note = f", if {' and '.join(needed)}" if needed else ""
         if search.enlarged:
             return Verdict(

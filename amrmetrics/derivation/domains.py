@@ -3,6 +3,7 @@
 import random
 import re
 
+import mpmath
 import sympy as sp
 
 from .reading import SHAPES, Unreadable
@@ -95,6 +96,18 @@ class Domain:
                 x < high or (self.closed[1] and x == high)
             )
         return {">0": x > 0, ">=0": x >= 0, "nonzero": x != 0}.get(self.kind, True)
+
+    def settled(self, x):
+        """Return a zero that was found, put exactly on the end of the domain if it is there."""
+        from .evaluating import Unreliable
+
+        for end in (0, self.low, self.high):
+            if end is not None and end not in (sp.oo, -sp.oo):
+                close = abs(x - _mpf(sp.Rational(end)))
+                x = _mpf(sp.Rational(end)) if close < mpmath.mpf(2) ** (-mpmath.mp.prec // 2) else x
+        if not self.contains(x):
+            raise Unreliable("a zero outside the domain")
+        return x
 
     def surely(self, e, positive):
         """Whether the formula e is proved to lie in this (open, connected) domain."""
@@ -190,8 +203,6 @@ class Domain:
 
 
 def _mpf(v):
-    import mpmath
-
     return mpmath.mpf(v.p) / v.q if isinstance(v, sp.Rational) else mpmath.mpf(v)
 
 

@@ -85,7 +85,7 @@ def constant(numbers):
 def difference_in_words(search):
     """Say how the sides differ, if it is the same everywhere: sign, factor, N - 1, one term."""
     pairs = [(x, y) for x, y in compared(search) if x or y]
-    if len(pairs) < 2 or any(x == y for x, y in pairs):
+    if not search.domains or len(pairs) < 2 or any(x == y for x, y in pairs):
         return ""
     if all(x and y for x, y in pairs) and constant([y / x for x, y in pairs]):
         r = number(pairs[0][1] / pairs[0][0])

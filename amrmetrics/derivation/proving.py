@@ -263,7 +263,8 @@ def _polynomial(e, model):
 def _integrated(e, model):
     if not e.has(sp.Integral, sp.Sum, sp.Product):
         return e
-    e = e.doit()
+    e = model.parametrized(e)
+    e = sp.powsimp(e).replace(sp.exp, lambda x: sp.exp(sp.factor(x))).doit()
     return e if e.has(sp.Piecewise) else sp.simplify(model.parametrized(e))
 
 
@@ -385,12 +386,13 @@ def equation_proved(before, after, relation, model):
     f, g = (model.evaluated(w.lhs) - model.evaluated(w.rhs) for w in (before, after))
     if not f.is_Matrix and not g.is_Matrix:
         f, g = sp.expand(f), sp.expand(g)
-        finished, ratio = bounded(
-            lambda: sp.factor(sp.simplify(name_moments(f) / name_moments(g))), 1.0
-        )
-        whole = finished and not ratio.has(sp.zoo, sp.nan)
-        if whole and all(nonzero(part, model) for part in sp.fraction(ratio)):
-            return True
+        names = {}
+        f, g = name_moments(f, names), name_moments(g, names)
+        for simpler in (sp.cancel, sp.simplify):
+            finished, ratio = bounded(lambda simpler=simpler: sp.factor(simpler(f / g)), 1.0)
+            whole = finished and not ratio.has(sp.zoo, sp.nan)
+            if whole and all(nonzero(part, model) for part in sp.fraction(ratio)):
+                return True
     return any(
         _solution_proved(line, rest, relation == ok, model)
         for line, rest, ok in ((after, f, "implied_by"), (before, g, "implies"))

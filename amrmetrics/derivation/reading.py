@@ -316,10 +316,10 @@ def _plus(parts):
 def _times(parts):
     if not any(is_matrix(w) for w in parts):
         parts = [_scalar(w) for w in parts]
-        if len(parts) == 2 and all(w.is_Number or w.func is sp.Pow for w in parts):
-            fraction = parts[0] * parts[1]
-            if parts[0].is_Integer and fraction.is_Rational:
-                return fraction  # 1/2 is a number, not a quotient
+        if len(parts) == 2 and parts[0].is_Integer and isinstance(parts[1], sp.Pow):
+            base, exponent = parts[1].args
+            if base.is_Integer and exponent == -1:
+                return sp.Rational(parts[0], base)  # 1/2 is a number, not a quotient
         return sp.Mul(*_flat(parts, sp.Mul), evaluate=False)
     scalars, factors = [], []
     for w in parts:

@@ -2,6 +2,7 @@
 
 import random
 import time
+from itertools import chain
 
 import mpmath
 import sympy as sp
@@ -151,7 +152,8 @@ class Search:
         self.undefined = self.enlarged = 0
         self.soft = set()
         self.found = None
-        self.entries, self.closed = {}, {}
+        self.entries, self.closed, self.known = {}, {}, {}
+        self.suspect = False  # a difference was seen that a second look has not settled
         self.functions = any(d.kind == "function" for d in self.domains.values())
 
     def expired(self):
@@ -161,6 +163,13 @@ class Search:
         rng = random.Random(f"{self.seed}/{k}/{style}")
         values = {n: d.draw(rng, style) for n, d in self.domains.items() if d.kind != "seq"}
         return {"": (k, style), **values}
+
+    def zeros(self):
+        """Points with all, and with each single, value zero, as far as the domains allow."""
+        names = [n for n in self.domains if self.real(n) and self.domains[n].contains(mp.zero)]
+        for k, chosen in enumerate([names, *([n] for n in names[:5])]):
+            if names:
+                yield {**self.draw(200 + k, "fraction"), **dict.fromkeys(chosen, sp.Integer(0))}
 
     def lines(self, values):
         """Both lines with the abstract functions made concrete."""
@@ -204,13 +213,15 @@ class Search:
             return self.closed[w]
 
         numbers = {}
-        at = Point(numbers, entry, derive)
+        at = Point(numbers, entry, derive, self.known)
         for n, v in values.items():
             if n and not isinstance(v, (Root, Solved, sp.Lambda)):
                 numbers[n] = to_number(v, at)
         at.kind = lambda name: self.domains[name].kind
         for n, v in values.items():
-            if isinstance(v, (Root, Solved)):
+            if isinstance(v, Root):
+                numbers[n] = self.domains[n].settled(v.at(at))
+            elif isinstance(v, Solved):
                 numbers[n] = v.at(at)
         return at
 
@@ -249,8 +260,11 @@ class Search:
             elif seen[0] == "enlarged":
                 self.enlarged += generic and seen[1] in HALF
             if seen[0] not in ("different", "shrunk") or self.nested:
+                self.suspect = self.suspect or seen[0] in ("different", "shrunk")
                 return False
+            before, self.suspect = self.suspect, True
             again = self.look(values, self.confirm)
+            self.suspect = before
             if again[0] != seen[0]:
                 return False
             k = (
@@ -275,7 +289,7 @@ class Search:
 
     def formulas(self):
         """True if refuted."""
-        styles = STYLES if not self.slow else ["small"] * 3 + ["fraction"] * 4
+        styles = STYLES if not self.slow else ["small"] * 2 + ["fraction"] * 3
         if not self.domains:
             styles = styles[:1]
         for k, style in enumerate(styles):
@@ -283,7 +297,7 @@ class Search:
                 break
             if self.try_point(self.draw(k, style), generic=style in ("small", "fraction")):
                 return True
-        for values in self.surface_points([self.before, self.after]):
+        for values in chain(self.zeros(), self.surface_points([self.before, self.after])):
             if self.expired():
                 break
             if self.try_point(values):
@@ -336,7 +350,7 @@ class Search:
                 slope = f[1] - f[0]
                 if slope and not add([f[2], -f[1], -slope]) and not add([f[3], -f[0], -6 * slope]):
                     r = mpmath.mpf(1) - f[0] / slope
-                    r = rational(r) or Root(g, n, r)
+                    r = Root(g, n, r) if rational(r) is None else rational(r)
                     return [r] if domain.contains(to_number(r, at)) else []
         except (Undefined, Unreliable, ValueError, ZeroDivisionError, OverflowError):
             pass
@@ -408,7 +422,7 @@ class Search:
         for values, generic in generic_points:
             if not self.expired() and self.claim_at(values, generic):
                 return True
-        for values in self.surface_points([self.after]):
+        for values in chain(self.zeros(), self.surface_points([self.after])):
             if not self.expired() and self.claim_at(values, False):
                 return True
         return False

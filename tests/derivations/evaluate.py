@@ -133,7 +133,7 @@ def mutants(step):
 
 
 def equivalent(step, mutant):
-    """Whether a mutant says the same as the line it came from, by double-precision numbers alone."""
+    """Whether a mutant says the same as the line it came from, by plain floats alone."""
     try:
         one = _Step(step["after"], mutant, step["symbols"], "iff", step.get("unknown"), 0)
     except ValueError:
@@ -202,25 +202,116 @@ def rewrites(step):
 
 
 HOSTILE = [
-    "__import__('os').system('echo hacked')", "open('x','w')", "x.__class__.__mro__", "(lambda: 1)()",
-    "exec('1')", "eval('1')", "[x for x in (1,)]", "x if x else 1", "9**9**9", "9**9**9**9", "2**10**10",
-    "x**(10**9)", "x**1000000", "(x+1)**5000", "((x+1)**100)**100", "(x+y+1)**110", "factorial(10**9)",
-    "factorial(factorial(99))", "gamma(10**10)", "exp(exp(exp(exp(9))))", "exp(10**30)", "10**400", "1e999",
-    "Sum(k,(k,1,10**9))", "Sum(Sum(k*j,(k,1,10**6)),(j,1,10**6))", "Sum(1/k,(k,1,oo))", "Product(k,(k,1,10**7))",
-    "Integral(exp(x**2),(x,-oo,oo))", "Integral(1/z,(z,-1,1))", "Integral(Integral(Integral(sin(x*y*z),(x,0,1)),(y,0,1)),(z,0,1))",
-    "Derivative(x**x**x,x,x,x,x,x,x)", "Derivative(x,(x,10**9))", "Matrix([[x]*9])", "Matrix([])", "Matrix([[1,2],[3]])",
-    "x+" * 3000 + "x", "(" * 300 + "x" + ")" * 300, "-" * 3900 + "x", "sin(" * 150 + "x" + ")" * 150, "x" * 10000,
-    "x;y", "x\ny", "x=1", "x==1", "1<x<2", "x:=2", "f'{x}'", "'x'", "b'x'", "x[0]", "x.T", "x()", "sin", "sin()", "sin(x,y)",
-    "sin(x=1)", "sin(*x)", "Eq(x)", "Eq(Eq(x,y),x)", "Sum(x)", "Sum(x,(x,1))", "Sum(x,(1,1,2))", "Integral(x,x)", "Subs(x,1,2)",
-    "x\x00y", "", " ", "\ufeffx", "x²", "𝑥+y", "1/0", "0**-1", "log(0)", "oo-oo", "oo/oo", "x/0", "nan", "zoo", "I*x", "1j*x",
-    "lambda*x", "2x", "x^2", "True", "None", "...", "Max()", "atan2(x)", "eye(10**9)", "eye(-1)", "det(x)", "Trace(x)", "P.inv",
-    "x*(y", "x**y**x**y**x**y", "x**(y**(x**(y**99)))", "(x**99)**99", "Subs(Subs(x,x,y**99),y,x**99)", "abs(x)" * 3,
-    "exp(x)**(10**8)", "sqrt(" * 55 + "x" + ")" * 55, "Mod(x,0)", "binomial(10**9,10**8)", "KroneckerDelta(x,y)", "floor(10**50*x)",
-]  # fmt: skip
+    "__import__('os').system('echo hacked')",
+    "open('x','w')",
+    "x.__class__.__mro__",
+    "(lambda: 1)()",
+    "exec('1')",
+    "eval('1')",
+    "[x for x in (1,)]",
+    "x if x else 1",
+    "9**9**9",
+    "9**9**9**9",
+    "2**10**10",
+    "x**(10**9)",
+    "x**1000000",
+    "(x+1)**5000",
+    "((x+1)**100)**100",
+    "(x+y+1)**110",
+    "factorial(10**9)",
+    "factorial(factorial(99))",
+    "gamma(10**10)",
+    "exp(exp(exp(exp(9))))",
+    "exp(10**30)",
+    "10**400",
+    "1e999",
+    "Sum(k,(k,1,10**9))",
+    "Sum(Sum(k*j,(k,1,10**6)),(j,1,10**6))",
+    "Sum(1/k,(k,1,oo))",
+    "Product(k,(k,1,10**7))",
+    "Integral(exp(x**2),(x,-oo,oo))",
+    "Integral(1/z,(z,-1,1))",
+    "Integral(Integral(Integral(sin(x*y*z),(x,0,1)),(y,0,1)),(z,0,1))",
+    "Derivative(x**x**x,x,x,x,x,x,x)",
+    "Derivative(x,(x,10**9))",
+    "Matrix([[x]*9])",
+    "Matrix([])",
+    "Matrix([[1,2],[3]])",
+    "x+" * 3000 + "x",
+    "(" * 300 + "x" + ")" * 300,
+    "-" * 3900 + "x",
+    "sin(" * 150 + "x" + ")" * 150,
+    "x" * 10000,
+    "x;y",
+    "x\ny",
+    "x=1",
+    "x==1",
+    "1<x<2",
+    "x:=2",
+    "f'{x}'",
+    "'x'",
+    "b'x'",
+    "x[0]",
+    "x.T",
+    "x()",
+    "sin",
+    "sin()",
+    "sin(x,y)",
+    "sin(x=1)",
+    "sin(*x)",
+    "Eq(x)",
+    "Eq(Eq(x,y),x)",
+    "Sum(x)",
+    "Sum(x,(x,1))",
+    "Sum(x,(1,1,2))",
+    "Integral(x,x)",
+    "Subs(x,1,2)",
+    "x\x00y",
+    "",
+    " ",
+    "\ufeffx",
+    "x²",
+    "𝑥+y",
+    "1/0",
+    "0**-1",
+    "log(0)",
+    "oo-oo",
+    "oo/oo",
+    "x/0",
+    "nan",
+    "zoo",
+    "I*x",
+    "1j*x",
+    "lambda*x",
+    "2x",
+    "x^2",
+    "True",
+    "None",
+    "...",
+    "Max()",
+    "atan2(x)",
+    "eye(10**9)",
+    "eye(-1)",
+    "det(x)",
+    "Trace(x)",
+    "P.inv",
+    "x*(y",
+    "x**y**x**y**x**y",
+    "x**(y**(x**(y**99)))",
+    "(x**99)**99",
+    "Subs(Subs(x,x,y**99),y,x**99)",
+    "abs(x)" * 3,
+    "exp(x)**(10**8)",
+    "sqrt(" * 55 + "x" + ")" * 55,
+    "Mod(x,0)",
+    "binomial(10**9,10**8)",
+    "KroneckerDelta(x,y)",
+    "floor(10**50*x)",
+]
 RIGHT = "x+y"
 
 
-# --- the table -------------------------------------------------------------------------------------
+# --- the table ---------------------------------------------------------------------------------
 
 
 class Tally:
@@ -248,12 +339,16 @@ class Tally:
     def row(self):
         n, c = len(self.times), self.count
         return (
-            f"{self.name:<24}{n:>6}{c['false proof']:>13}{c['false accusation']:>18}{c['undecided']:>11}"
+            f"{self.name:<24}{n:>6}{c['false proof']:>13}{c['false accusation']:>18}"
+            f"{c['undecided']:>11}"
             f"{c['sampled']:>9}{statistics.median(self.times):>9.3f}{max(self.times):>9.2f}"
         )
 
 
-HEADER = f"{'steps':<24}{'n':>6}{'false proofs':>13}{'false accusations':>18}{'undecided':>11}{'sampled':>9}{'median s':>9}{'max s':>9}"
+HEADER = (
+    f"{'steps':<24}{'n':>6}{'false proofs':>13}{'false accusations':>18}{'undecided':>11}"
+    f"{'sampled':>9}{'median s':>9}{'max s':>9}"
+)
 
 
 def labelled(name, seeds):
@@ -274,7 +369,7 @@ def mutated(names, seeds):
                     break  # a dropped transpose that no longer fits: caught while reading
                 valid = False
                 if verdict.status in ("proved", "sampled") and equivalent(s, text) is not False:
-                    valid = None  # the mutant happens to say the same, or an independent answer is not to be had
+                    valid = None  # it happens to say the same, or there is no independent answer
                 tally.add(valid, verdict, seconds, f"{s['id']} {kind}: {text} seed {seed}")
     return tally
 
@@ -291,7 +386,7 @@ def rewritten(names, seeds):
 
 
 def objects(names, seeds):
-    """The labelled steps again, handed over as SymPy objects: as written, and as SymPy itself builds them."""
+    """The labelled steps again as SymPy objects: as written, and as SymPy itself builds them."""
     tally = Tally("as SymPy objects")
     for s in (s for name in names for s in load(name)):
         kinds = s["symbols"]
@@ -308,17 +403,17 @@ def objects(names, seeds):
     return tally
 
 
-def hostile():
+def hostile(pairs=3):
     tally = Tally("hostile text")
     symbols = {"x": "real", "y": "real", "z": "real", "P": "spd2"}
     for text in HOSTILE:
-        for pair in ((text, RIGHT), (RIGHT, text), (text, text)):
+        for pair in ((RIGHT, text), (text, RIGHT), (text, text))[:pairs]:
             verdict, seconds = check({"before": pair[0], "after": pair[1], "symbols": symbols})
             tally.add(None, verdict, seconds, text[:40])
     return tally
 
 
-# --- the alternatives ------------------------------------------------------------------------------
+# --- the alternatives --------------------------------------------------------------------------
 
 
 def alternatives(names):
@@ -352,7 +447,8 @@ def alternatives(names):
         "five points in [0, 1]": five_points,
     }
     lines = [
-        f"{'checker':<26}{'wrong accepted':>16}{'right rejected':>16}{'no answer':>12}{'seconds':>10}"
+        f"{'checker':<26}{'wrong accepted':>16}{'right rejected':>16}{'no answer':>12}"
+        f"{'seconds':>10}"
     ]
     steps = [s for name in names for s in load(name)]
     formulas = []
@@ -372,7 +468,7 @@ def alternatives(names):
 
             try:
                 finished, right = bounded(answer, 10)
-            except Exception:  # noqa: BLE001
+            except Exception:
                 finished, right = False, False
             silent += not finished
             accepted += finished and right and not s["valid"]
