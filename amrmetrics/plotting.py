@@ -7,6 +7,7 @@ import base64
 import io
 
 import matplotlib.pyplot as plt
+import numpy as np
 
 # Okabe and Ito, Color Universal Design (2008); a test checks that every two stay apart
 # for the three common kinds of color blindness.
@@ -106,4 +107,60 @@ def plan(ax, **trajectories):
     for name, xy in trajectories.items():
         ax.plot(xy[:, 0], xy[:, 1], **LOOK[name])
     ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+    ax.legend()
+
+
+def consistency_band(ax, times, values, lower, upper, expected, confidence=0.95, name="NEES"):
+    """Draw NEES or NIS over time with the band that holds them if the filter is consistent.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    times : (T,) array
+        Seconds.
+    values : (T,) array
+        One run's values or their means over runs; no unit.
+    lower, upper : float or (T,) array
+        Two-sided chi-square bounds of one of these values.
+    expected : float
+        Degrees of freedom of one value.
+    confidence : float
+        Of the band, for the legend.
+    name : str
+        For the vertical axis.
+    """
+    lower, upper = np.broadcast_to(lower, len(times)), np.broadcast_to(upper, len(times))
+    ax.fill_between(times, lower, upper, color=LOOK["bound"]["color"], alpha=0.15, linewidth=0)
+    ax.plot(times, lower, **LOOK["bound"] | {"label": f"{100 * confidence:g} % band"})
+    ax.plot(times, upper, **LOOK["bound"] | {"label": "_"})
+    ax.axhline(expected, **LOOK["theory"] | {"label": "expected"})
+    ax.plot(times, values, **LOOK["measured"] | {"markersize": 3})
+    ax.set(xlabel="time [s]", ylabel=name, ylim=(0, None))
+    ax.legend()
+
+
+def chi_square(ax, values, grid, density, name="NEES"):
+    """Draw the distribution of NEES or NIS values against the one they should have.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    values : (N,) array
+        NEES or NIS, no unit. What lies beyond the grid is counted in the legend, and its
+        area is missing from the bars.
+    grid, density : (M,) array
+        Increasing abscissas > 0 and the chi-square density there.
+    name : str
+        For the horizontal axis.
+    """
+    edges = np.linspace(0, grid[-1], 31)
+    counts, _ = np.histogram(values, edges)
+    beyond = np.mean(np.asarray(values) > grid[-1])
+    label = "measured" + (f" ({100 * beyond:.2g} % beyond {grid[-1]:g})" if beyond else "")
+    heights = counts / (np.size(values) * edges[1])
+    ax.stairs(heights, edges, fill=True, color=LOOK["measured"]["color"], alpha=0.6, label=label)
+    ax.plot(grid, density, **LOOK["theory"] | {"label": "chi-square density"})
+    ax.set(xlabel=name, ylabel="density", xlim=(0, grid[-1]))
     ax.legend()
