@@ -14,13 +14,13 @@ LARGEST = 1e100
 # Rotation matrices read from text keep six or seven digits.
 ORTHONORMAL_WITHIN = 1e-5
 
-# 2048 poses of 16 doubles are a quarter of a megabyte: one operand of a formula.
-BLOCK = 2048
+# 4096 poses of 16 doubles are half a megabyte: they stay in the cache while worked on.
+BLOCK = 4096
 
 
 def as_numbers(value, name):
     """Return `value` as an array of finite doubles."""
-    array = _as_array(value, name)
+    array = as_array(value, name)
     if array.dtype.kind not in "fiu":
         # Strings and complex numbers convert to float in ways nobody means.
         raise AmrError(
@@ -60,13 +60,14 @@ def as_poses(value, name, batch=False):
             "(N, 4, 4) for space. planar_poses and spatial_poses make them."
         )
     _with_samples(array, name)
-    if not all(map(_are_poses, in_blocks(array.reshape(-1, *array.shape[-2:])))):
-        _refuse_non_poses(array, name)
+    with np.errstate(over="ignore", invalid="ignore"):
+        if not all(map(_are_poses, in_blocks(array.reshape(-1, *array.shape[-2:])))):
+            _refuse_non_poses(array, name)
     return array
 
 
 def _are_poses(X):
-    """Say if the last row is 0 ... 0 1, all columns but one are orthonormal, and that one fits."""
+    """Say if these are a rotation, a position that can be squared, and the row 0 ... 0 1."""
     if len(X) == 3:
         (a, c, _), (b, d, _), (*zeros, one) = X
         off = (a * a + b * b - 1, c + b, d - a)
@@ -83,7 +84,8 @@ def _are_poses(X):
     return (
         not np.any(zeros)
         and (one == 1).all()
-        and all(max(x.max(), -x.min()) < ORTHONORMAL_WITHIN for x in off)
+        and all(_size(x) < ORTHONORMAL_WITHIN for x in off)
+        and _size(X[:-1, -1]) <= LARGEST
     )
 
 
@@ -96,6 +98,7 @@ def _refuse_non_poses(X, name):
             f"{name}{_first(wrong)} has the last row {X[..., d, :][wrong][0].tolist()}; a "
             f"homogeneous matrix ends with {last_row.tolist()}. Is it transposed?"
         )
+    _refuse_huge(X[..., :d, d], name)
     R = X[..., :d, :d]
     off = np.abs(np.einsum("...ki,...kj->...ij", R, R) - np.eye(d)).max((-2, -1))
     mirrored = np.linalg.det(R) < 0
@@ -148,19 +151,26 @@ def _paired(p, q):
 
 def as_positions(value, name):
     """Return (N, d) positions from positions or from poses (N, d+1, d+1)."""
-    array = _as_array(value, name)
+    array = as_array(value, name)
     if array.ndim == 3:
         if array.shape[1:] not in ((3, 3), (4, 4)):
             as_poses(array, name)  # says what is wrong
-        array = array[:, :-1, -1].copy()
+        array = array[:, :-1, -1]
     array = as_rows(array, name, (2, 3), "positions")
-    largest = max(array.max(), -array.min())
-    if largest > LARGEST:
+    _refuse_huge(array, name)
+    return array
+
+
+def _refuse_huge(positions, name):
+    if _size(positions) > LARGEST:
         raise AmrError(
-            f"{name} holds a coordinate of {largest:.3g} m; more than {LARGEST:g} m "
+            f"{name} holds a coordinate of {_size(positions):.3g} m; more than {LARGEST:g} m "
             "cannot be squared. Check the units."
         )
-    return array
+
+
+def _size(array):
+    return max(array.max(), -array.min())
 
 
 def as_stamps(value, name):
@@ -180,7 +190,15 @@ def as_stamps(value, name):
     return array
 
 
-def _as_array(value, name):
+def as_count(value, name):
+    """Return `value` as an int of at least 1."""
+    number = as_numbers(value, name)
+    if number.ndim or number < 1 or number != np.round(number):
+        raise AmrError(f"{name} is {value!r}; expected a whole number of at least 1.")
+    return int(number)
+
+
+def as_array(value, name):
     try:
         return np.asarray(value)
     except ValueError:
@@ -221,7 +239,7 @@ def as_forecasts(occupied, probability, unknown=None, weights=None):
 
 def as_labels(value, name):
     """Return `value` as an array of booleans; only 0, 1, False and True are labels."""
-    array = _as_array(value, name)
+    array = as_array(value, name)
     if array.dtype == bool:
         labels = array
     else:

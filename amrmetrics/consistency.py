@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from amrmetrics._arguments import as_numbers, as_pose_pair
+from amrmetrics._arguments import as_count, as_numbers, as_pose_pair
 from amrmetrics.errors import AmrError
 
 # Correlations of independent values stay inside 3 / sqrt(n) in 99.7 % of all recordings.
@@ -230,7 +230,7 @@ def consistency_test(values, dof, confidence=0.95):
     if values.min() < 0:
         k = np.argwhere(values < 0)[0].tolist()
         raise AmrError(f"values{k} is {values.min():.6g}; a NEES or NIS cannot be negative.")
-    dof, confidence = _as_count(dof, "dof"), _as_probability(confidence, "confidence")
+    dof, confidence = as_count(dof, "dof"), _as_probability(confidence, "confidence")
     n, mean = values.size, float(values.mean())
     n_effective = n / _inflation(np.atleast_2d(values))
     total = n_effective * dof
@@ -353,7 +353,7 @@ def consistency_power(dof, trials, inflation, confidence=0.95):
     """
     from scipy.stats import chi2
 
-    dof, confidence = _as_count(dof, "dof"), _as_probability(confidence, "confidence")
+    dof, confidence = as_count(dof, "dof"), _as_probability(confidence, "confidence")
     inflation, trials = as_numbers(inflation, "inflation"), as_numbers(trials, "trials")
     if inflation.size and inflation.min() <= 0:
         raise AmrError(f"inflation is {inflation.min():g}; a ratio of covariances is positive.")
@@ -494,13 +494,6 @@ def _inflation(values):
             break
         total += rho
     return 1 + 2 * total
-
-
-def _as_count(value, name):
-    number = as_numbers(value, name)
-    if number.ndim or number < 1 or number != np.round(number):
-        raise AmrError(f"{name} is {value!r}; expected a whole number of at least 1.")
-    return int(number)
 
 
 def _as_probability(value, name):

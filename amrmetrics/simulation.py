@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from amrmetrics._arguments import as_numbers, as_rows
+from amrmetrics._arguments import as_count, as_numbers, as_rows
 from amrmetrics.errors import AmrError
 from amrmetrics.poses import planar_poses, positions, wrap, yaw
 
@@ -354,7 +354,7 @@ def drive(
     if not isinstance(rng, np.random.Generator):
         raise AmrError(f"rng is {rng!r}; expected a numpy Generator, such as default_rng(4).")
     landmarks = as_rows(landmarks, "landmarks", (2,), "landmarks")
-    runs, steps = _as_count(runs, "runs"), _as_count(steps, "steps")
+    runs, steps = as_count(runs, "runs"), as_count(steps, "steps")
     dt, max_range = _as_size(dt, "dt"), _as_size(max_range, "max_range")
     speed = _as_size(speed, "speed", (), (steps,), sign="")
     turn_rate = _as_size(turn_rate, "turn_rate", (), (steps,), sign="")
@@ -602,13 +602,6 @@ def _with_poses(log, states):
     states = np.stack(states, axis=1)
     poses = planar_poses(states[..., :2].reshape(-1, 2), states[..., 2].ravel())
     return log._replace(estimate=poses.reshape(*states.shape[:2], 3, 3))
-
-
-def _as_count(value, name):
-    number = as_numbers(value, name)
-    if number.ndim or number < 1 or number != np.round(number):
-        raise AmrError(f"{name} is {value!r}; expected a whole number of at least 1.")
-    return int(number)
 
 
 def _as_size(value, name, *shapes, sign="> 0"):
