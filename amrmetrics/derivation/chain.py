@@ -7,9 +7,10 @@ import sympy as sp
 
 from .checking import MARKS, Verdict, check_step
 from .domains import Domain
-from .reading import Unreadable, is_claim, read, tidy
+from .reading import Unreadable, is_claim, is_matrix, read, tidy
 from .refuting import rebuild
 
+START = "the start of the chain"  # a formula that nothing stands before: there is no step to check
 SIGNS = {
     "iff": ("⇔", r"\Leftrightarrow"),
     "implies": ("⇒", r"\Rightarrow"),
@@ -37,6 +38,8 @@ class Step:
 
     def result(self):
         """The verdict in words, with what was assumed and what is odd about the step."""
+        if self.verdict.message == START:
+            return START
         words = f"{MARKS[self.status]} {self.verdict.message}"
         if self.lemma and self.status in ("proved", "sampled"):
             words += f"; assumed: {self.lemma}"
@@ -138,7 +141,7 @@ class Derivation:
             )
             return self._add(line, verdict, because, relation, lemma, notes, written)
         if before is None and not is_claim(written):
-            verdict, relation = Verdict("proved", "the start of the chain"), ""
+            verdict, relation = Verdict("proved", START), ""
         else:
             pair = [before, written]
             if lemma is not None:
@@ -244,7 +247,8 @@ class Derivation:
 
     def summary(self):
         """(what, how much) pairs for the table under the chain."""
-        rows = [(word, sum(v.status == word for v in self.verdicts)) for word in MARKS]
+        checked = [v.status for v in self.verdicts if v.message != START]
+        rows = [(word, checked.count(word)) for word in MARKS]
         rows = [(word, n) for word, n in rows if n or word in ("proved", "sampled", "refuted")]
         rows += [("assumed", ", ".join(self.lemmas))] if self.lemmas else []
         rows += [("needs", ", ".join(self.conditions))] if self.conditions else []
@@ -294,7 +298,10 @@ def key(w):
     if w.is_Atom or not w.args:
         return ("", str(w))
     parts = [key(a) for a in w.args]
-    if isinstance(w, (sp.Add, sp.Mul, sp.Eq, sp.Max, sp.Min, sp.MatAdd, sp.And, sp.Or)):
+    if isinstance(w, sp.MatMul):  # numbers may move, matrices not
+        numbers = [key(a) for a in w.args if not is_matrix(a)]
+        parts = sorted(numbers, key=repr) + [key(a) for a in w.args if is_matrix(a)]
+    elif isinstance(w, (sp.Add, sp.Mul, sp.Eq, sp.Max, sp.Min, sp.MatAdd, sp.And, sp.Or)):
         parts.sort(key=repr)
     return (w.func.__name__, *parts)
 

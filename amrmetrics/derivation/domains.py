@@ -154,7 +154,7 @@ class Domain:
             return sp.Integer(0)
         if style == "edge" and rng.random() < 0.5:
             return sign * sp.Integer(1)
-        return sign * _fraction(rng)
+        return sign * _fraction(rng, style)
 
     def _draw_interval(self, rng, style):
         low, high = self.low, self.high
@@ -218,8 +218,13 @@ def _bound(text, whole):
         raise Unreadable(f"{whole!r} is not a domain: the ends of (a,b) are numbers") from None
 
 
-def _fraction(rng):
-    return sp.Rational(rng.randint(1, 60), rng.choice([7, 11, 13, 17]))
+def _fraction(rng, style="fraction"):
+    """Draw a positive rational; `below` and `above` stay on one side of 1."""
+    if style == "below":
+        return sp.Rational(rng.randint(1, 60), 61)
+    if style == "above":
+        return 1 + sp.Rational(rng.randint(1, 900), 7)
+    return sp.Rational(rng.randint(1, 60), rng.choice([7, 11, 13, 17, 53, 97]))
 
 
 def _matrix(n, kind):

@@ -15,11 +15,11 @@ def simplest(search, check, values):
         for v in search.domains[n].simple() if not isinstance(values[n], (Root, Solved)) else []:
             if v == values[n]:
                 break
-            keep = search.found
+            keep = search.found, search.used
             if check({**values, n: v}) and search.found[1][0] == kind:
                 values = {**values, n: v}
                 break
-            search.found = keep
+            search.found, search.used = keep
     return values
 
 
@@ -29,13 +29,13 @@ def number(x, digits=8):
         return sp.ImmutableMatrix([[number(a, digits) for a in row] for row in x])
     if x is None or isinstance(x, str):
         return sp.nan
-    x = mpmath.mpf(x)
-    with mpmath.workdps(30):
+    with mpmath.workdps(40):
+        x = mpmath.mpf(x)
         for q in (1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 20, 24, 25, 50, 100):
             p = mpmath.nint(x * q)
             if abs(x * q - p) < mpmath.mpf(10) ** -25 and abs(p) < 10**6 and (p or not x):
                 return sp.Rational(int(p), q)
-    return sp.Float(mpmath.nstr(x, digits), digits)
+        return sp.Float(mpmath.nstr(x, digits), digits)
 
 
 def witness(search, values):
@@ -53,7 +53,7 @@ def witness(search, values):
             else v
         )
     k = values[""][0]
-    for (point, name, index), v in sorted(search.entries.items(), key=str):
+    for (point, name, index), v in sorted(search.used.items(), key=str):
         if point == k:
             shown[f"{name}[{', '.join(map(str, index))}]"] = v
     return shown

@@ -1,49 +1,71 @@
-"""Time limits that hold in any thread and on any system: no signals."""
+"""Time limits that hold in any thread and on any system: no signals.
 
+A second thread raises `TimeUp` in the first one when the time is up. That exception can arrive
+between any two instructions, so nothing here may hold a lock in Python code, nor wait in one: the
+two threads share two flags and one plain lock, and each operation on them is a single call.
+"""
+
+import _thread
 import ctypes
 import threading
+import time
 
 
 class TimeUp(BaseException):
     """Raised inside the guarded call; not an Exception, so that no library swallows it."""
 
 
+class _Watch:
+    def __init__(self, seconds):
+        self.thread, self.seconds = threading.get_ident(), seconds
+        self.off = self.launched = self.ended = False
+        self.wire = _thread.allocate_lock()
+        self.wire.acquire()
+
+    def start(self):
+        self.launched = bool(_thread.start_new_thread(self._watch, ()))
+
+    def _inject(self, what):
+        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.thread), what)
+
+    def _watch(self):
+        pause = self.seconds
+        while not self.wire.acquire(timeout=pause):
+            if self.off:
+                break
+            self._inject(ctypes.py_object(TimeUp))
+            pause = 0.25  # somebody may have swallowed it: try again
+        self.ended = True
+
+    def stop(self):
+        """Return when nothing can arrive any more; may be called again if interrupted itself."""
+        self.off = True
+        if self.wire.locked() and not self.ended:
+            self.wire.release()
+        while self.launched and not self.ended:
+            time.sleep(0.0002)
+        self._inject(None)  # one that is still on its way must not arrive
+
+
 def bounded(call, seconds):
     """Return ``(True, call())``, or ``(False, None)`` if it takes longer than `seconds`."""
-    thread = threading.get_ident()
-    inject = ctypes.pythonapi.PyThreadState_SetAsyncExc
-    lock, over, done = threading.Lock(), threading.Event(), False
-
-    def watch():
-        pause = seconds
-        while not over.wait(pause):
-            with lock:
-                if done:
-                    return
-                inject(ctypes.c_ulong(thread), ctypes.py_object(TimeUp))
-            pause = 0.25  # somebody may have swallowed it: try again
-
-    def stop():
-        nonlocal done
-        while True:
-            try:
-                with lock:
-                    done = True
-                inject(ctypes.c_ulong(thread), None)  # one that is still on its way must not arrive
-                over.set()
-                return
-            except TimeUp:
-                continue
-
-    threading.Thread(target=watch, daemon=True).start()
-    try:
+    watch, outcome, error, begun = _Watch(seconds), (False, None), None, False
+    while True:
         try:
-            return True, call()
-        finally:
-            stop()
-    except TimeUp:
-        stop()
+            if not begun:
+                begun = True
+                watch.start()
+                outcome = True, call()
+            watch.stop()
+            break
+        except TimeUp:
+            continue
+        except BaseException as other:
+            error = other
+    if error is not None:
+        raise error
+    if not outcome[0]:
         from sympy.core.cache import clear_cache
 
         clear_cache()  # an interrupted deduction leaves half-filled assumptions behind
-        return False, None
+    return outcome

@@ -26,7 +26,7 @@ from .evaluating import (
 from .limits import bounded
 from .reading import SHAPES, is_claim, is_matrix
 
-STYLES = ["small"] * 7 + ["fraction"] * 9 + ["wild"] * 4 + ["edge"] * 6
+STYLES = ["small"] * 7 + ["fraction"] * 9 + ["below", "above"] * 2 + ["wild"] * 4 + ["edge"] * 6
 HALF = ("root", "log", "arc", "piecewise")  # undefined in these ways on a whole part of the domain
 SOFT = ("atan2", "kink")  # undefined in these ways is a condition of the step, never a refutation
 
@@ -131,7 +131,7 @@ class Search:
 
     def __init__(self, before, after, model, seed, deadline):
         self.before, self.after, self.model, self.seed = before, after, model, seed
-        self.deadline = time.monotonic() + deadline
+        self.deadline = time.thread_time() + deadline
         lines = [w for w in (before, after) if w is not None]
         used = set()
         for w in lines:
@@ -157,7 +157,7 @@ class Search:
         self.functions = any(d.kind == "function" for d in self.domains.values())
 
     def expired(self):
-        return time.monotonic() > self.deadline
+        return time.thread_time() > self.deadline
 
     def draw(self, k, style):
         rng = random.Random(f"{self.seed}/{k}/{style}")
@@ -189,6 +189,7 @@ class Search:
 
     def point(self, values):
         k, style = values[""]
+        self.entries.clear()
 
         def entry(name, index):
             key = (k, name, index)
@@ -275,6 +276,7 @@ class Search:
                 for x, y in zip(flat(seen[k]), flat(again[k]), strict=True)
             ):
                 return False
+            self.used = dict(self.entries)
             self.found = values, again
             return True
         except (
@@ -425,6 +427,38 @@ class Search:
         for values in chain(self.zeros(), self.surface_points([self.after])):
             if not self.expired() and self.claim_at(values, False):
                 return True
+        return self.downhill()
+
+    def downhill(self, rounds=60):
+        """Walk from the point where an inequality is closest to failing to where it fails."""
+        w = self.after
+        if not isinstance(w, sp.Gt | sp.Ge | sp.Lt | sp.Le) or self.slow:
+            return False
+
+        def margin(values):
+            with mpmath.workdps(30):
+                try:
+                    line, at = self.lines(values)[1], self.point(values)
+                    return value(line.gts, at) - value(line.lts, at)
+                except (Undefined, Unreliable, ValueError, ZeroDivisionError, OverflowError):
+                    return mp.inf
+
+        rng = random.Random(f"{self.seed}/downhill")
+        for style in ("fraction", "below"):
+            values = self.draw(300, style)
+            names = [n for n in values if n and self.real(n)]
+            best = margin(values)
+            for _ in range(rounds if names else 0):
+                n = rng.choice(names)
+                factor = sp.Rational(*rng.choice([(1, 3), (3, 4), (4, 3), (3, 1), (-1, 1)]))
+                moved = {**values, n: values[n] * factor}
+                if self.expired() or not self.domains[n].contains(to_number(moved[n], None)):
+                    continue
+                height = margin(moved)
+                if height < best:
+                    values, best = moved, height
+                if best < 0:
+                    return self.claim_at(values, True)
         return False
 
     def claim_at(self, values, generic):
@@ -445,6 +479,7 @@ class Search:
                 self.undefined += 1
                 if not generic:
                     return False
+            self.used = dict(self.entries)
             self.found = values, ("false", *shown)
             return True
         except (Unreliable, Undefined, OverflowError, ValueError, ZeroDivisionError):
@@ -527,6 +562,7 @@ class Search:
                     )
             if answers[0] != answers[1]:
                 return False
+            self.used = dict(self.entries)
             self.found = values, shown
             return True
         except (Unreliable, Undefined, OverflowError, ValueError, ZeroDivisionError):
