@@ -4,6 +4,7 @@
     python3 course.py test [...]        run every test; pytest gets the other arguments
     python3 course.py release [FOLDER]  write exercises/ (or a new FOLDER) from solutions/
     python3 course.py refresh [...]     run lectures and solutions again and store what they show
+    python3 course.py bench [N ...]     time the library beside evo (minutes; 1000 10000 is short)
     python3 course.py doctor            say what works on this machine, for whoever helps you
 
 On Windows, write `py` for `python3`. The first call sets up everything in the folder `.venv`
@@ -277,6 +278,13 @@ def refresh(extra):
     return in_front(ROOT / "tests" / "refresh.py", *extra)
 
 
+def bench(extra):
+    set_up(test=True)
+    # One thread: others wait for each other where the machine is busy, and help little elsewhere.
+    ENVIRONMENT.setdefault("OPENBLAS_NUM_THREADS", "1")
+    return in_front(ROOT / "tests" / "bench.py", *extra)
+
+
 def doctor(extra):
     """Say what works. The exit code is 0 if everything does."""
     print(f"system: {platform.platform()}\nPython: {platform.python_version()}, {sys.executable}")
@@ -287,7 +295,14 @@ def doctor(extra):
     return 1
 
 
-COMMANDS = {"lab": lab, "test": test, "release": release, "refresh": refresh, "doctor": doctor}
+COMMANDS = {
+    "lab": lab,
+    "test": test,
+    "release": release,
+    "refresh": refresh,
+    "bench": bench,
+    "doctor": doctor,
+}
 
 
 def main(arguments):

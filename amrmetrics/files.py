@@ -5,11 +5,12 @@ problem with the file and the line.
 """
 
 import gzip
+import zlib
 from typing import NamedTuple
 
 import numpy as np
 
-from amrmetrics._arguments import as_numbers, as_poses, as_stamps
+from amrmetrics._arguments import as_poses, as_stamps
 from amrmetrics.errors import AmrError
 from amrmetrics.poses import UNIT_QUATERNION_WITHIN, spatial_poses
 
@@ -97,7 +98,7 @@ def read_euroc(path):
     [[4.6, -1.7, 0.7]]
     """
     table, line = _read_table(path, 8, "stamp[ns] px py pz qw qx qy qz", more=True)
-    return _stamped(path, line, 1e-9 * table[:, 0], table[:, 1:4], table[:, [5, 6, 7, 4]])
+    return _stamped(path, line, table[:, 0] / 1e9, table[:, 1:4], table[:, [5, 6, 7, 4]])
 
 
 def read_kitti(path):
@@ -138,11 +139,12 @@ def read_kitti(path):
     table, line = _read_table(path, 12, "r11 r12 r13 tx r21 r22 r23 ty r31 r32 r33 tz")
     X = np.zeros((len(table), 4, 4))
     X[:, :3], X[:, 3, 3] = table.reshape(-1, 3, 4), 1
-    try:
-        as_poses(X, "pose")
-    except AmrError as error:
-        k = _first_refused(lambda k: as_poses(X[k : k + 1], "pose"), len(X))
-        raise AmrError(f"{path}, line {line(k)}: {error}") from None
+    if _refused(X):
+        low, high = 0, len(X)
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (low, middle) if _refused(X[low:middle]) else (middle, high)
+        as_poses(X[low], f"{path}, line {line(low)}: the matrix", batch=True)
     return Trajectory(None, X)
 
 
@@ -232,8 +234,8 @@ def _read_table(path, columns, names, more=False):
     try:
         with opener(path, "rt", encoding="utf-8-sig") as file:
             text = file.read()
-    except (UnicodeDecodeError, gzip.BadGzipFile, EOFError) as error:
-        raise AmrError(f"{path} is not a text file ({error}).") from None
+    except (UnicodeDecodeError, gzip.BadGzipFile, EOFError, zlib.error) as error:
+        raise AmrError(f"{path} is not a text file in UTF-8 ({error}).") from None
     lines = text.replace(",", " ").splitlines()
     kept = [k for k, line in enumerate(lines) if (word := line.lstrip()) and word[0] != "#"]
     if not kept:
@@ -260,7 +262,8 @@ def _complaint(path, rows, kept, columns, names, more):
             )
         for column, word in enumerate(words):
             try:
-                finite = np.isfinite(float(word))
+                # Python reads 1_0 and digits of other scripts; these files do not mean them.
+                finite = np.isfinite(float(word.replace("_", "?").encode("ascii", "replace")))
             except ValueError:
                 return f"{path}, line {k + 1}, column {column + 1}: {word!r} is not a number."
             if not finite:
@@ -288,13 +291,12 @@ def _stamped(path, line, stamps, xyz, q):
     return Trajectory(stamps.copy(), spatial_poses(xyz, q))
 
 
-def _first_refused(check, n):
-    for k in range(n):
-        try:
-            check(k)
-        except AmrError:
-            return k
-    return 0
+def _refused(X):
+    try:
+        as_poses(X, "X")
+    except AmrError:
+        return True
+    return False
 
 
 def _spatial(X):
@@ -305,7 +307,6 @@ def _spatial(X):
 
 
 def _write_table(path, table):
-    as_numbers(table, "X")
     opener = gzip.open if str(path).endswith(".gz") else open
     with opener(path, "wt", encoding="utf-8", newline="\n") as file:
         # repr gives the shortest digits that read back as the same double.

@@ -1,8 +1,9 @@
 """Pairs of samples a given stretch apart, and the errors of the motion between them.
 
-Poses are worked on in blocks of rows that stay in the processor's cache (see
-`_arguments.in_blocks`); this is the one place where the speed of the relative metrics
-is made.
+Poses are worked on in blocks that stay in the processor's cache, each entry of a pose a
+row of its own (as in `_arguments.in_blocks`): NumPy is several times faster on a few long
+rows than on many small matrices, and no intermediate result grows with N. This is the one
+place where the relative metrics get their speed.
 """
 
 import numpy as np
@@ -13,10 +14,29 @@ from amrmetrics.poses import angle_of
 
 UNITS = ("frames", "metres", "seconds", "degrees")
 TOLERANCE = 0.1
+# A hair, so that ten steps of 0.1 are one whole in floating point, too.
+ROUNDING = 1e-9
 
 
 def find_pairs(X, delta, unit, pairs, stamps):
     """Return (i, j, lengths, left_out) for `rpe`."""
+    delta = _as_delta(delta, unit, pairs)
+    if unit == "frames":
+        return _frames_apart(len(X), int(delta), pairs)
+    if unit == "degrees" and pairs == "all":
+        return _degrees_apart(X, delta)
+    measure = _measure(X, unit, stamps)
+    i, j = _chain(measure, delta) if pairs == "consecutive" else _nearest(measure, delta)
+    lengths = measure[j] - measure[i]
+    # A sum of single turns overshoots by up to one of them, and nothing better is there.
+    tolerance = np.inf if unit == "degrees" else TOLERANCE + ROUNDING
+    kept = np.abs(lengths - delta) <= tolerance * delta
+    if not kept.any():
+        raise AmrError(_no_pairs(measure, delta, unit))
+    return i[kept], j[kept], lengths[kept], int(len(kept) - kept.sum())
+
+
+def _as_delta(delta, unit, pairs):
     if unit not in UNITS:
         raise AmrError(f"unit is {unit!r}; expected one of {', '.join(map(repr, UNITS))}.")
     if pairs not in ("all", "consecutive"):
@@ -24,33 +44,33 @@ def find_pairs(X, delta, unit, pairs, stamps):
     delta = as_numbers(delta, "delta")
     if delta.ndim or delta <= 0:
         raise AmrError(f"delta is {delta}; expected one number of {unit}, greater than 0.")
-    delta = float(delta)
-    if unit == "frames" and delta != int(delta):
+    if unit == "frames" and delta != np.floor(delta):
         raise AmrError(f"delta is {delta} frames; expected a whole number.")
     if unit == "degrees" and delta > 180:
         raise AmrError(f"delta is {delta} degrees; a rotation angle is at most 180 degrees.")
-    if unit == "frames":
-        i = np.arange(0, len(X) - delta, 1 if pairs == "all" else delta, dtype=int)
-        if not len(i):
-            raise AmrError(f"delta is {delta:g} frames, but the recording has {len(X)} samples.")
-        return i, i + int(delta), np.full(len(i), delta), 0
-    measure = _measure(X, unit, stamps)
-    if unit == "degrees" and pairs == "all":
-        return _pairs_at_angle(X, delta)
-    if pairs == "consecutive":
-        # A hair less, so that ten steps of 0.1 are one whole in floating point, too.
-        after = np.searchsorted(measure, measure + delta * (1 - 1e-9))
-        i = _chain(after)
-        i, j = i[:-1], i[1:]
-    else:
-        i, j = _nearest(measure, delta)
-    lengths = measure[j] - measure[i]
-    # A sum of single turns overshoots by up to one of them, and nothing better is there.
-    tolerance = np.inf if unit == "degrees" else TOLERANCE * (1 + 1e-9)
-    off = np.abs(lengths - delta) > tolerance * delta
-    if off.all():
-        raise AmrError(_no_pairs(measure, delta, unit))
-    return i[~off], j[~off], lengths[~off], int(off.sum())
+    return float(delta)
+
+
+def _frames_apart(n, delta, pairs):
+    if delta >= n:
+        raise AmrError(f"delta is {delta} frames, but the recording has {n} samples.")
+    i = np.arange(0, n - delta, 1 if pairs == "all" else delta)
+    return i, i + delta, np.full(len(i), float(delta)), 0
+
+
+def _degrees_apart(X, delta):
+    """Return all pairs whose orientations differ by delta degrees within the tolerance."""
+    R = _columns(X, slice(None))[:-1]
+    within = (TOLERANCE + ROUNDING) * delta
+    low, high = _chord(np.radians([delta - within, min(delta + within, 180)]))
+    ends = []
+    for i in range(len(X) - 1):
+        chord = _distance(R[..., i + 1 :], R[..., i, None])
+        ends.append(i + 1 + np.flatnonzero((chord >= low) & (chord <= high)))
+    if not sum(map(len, ends)):
+        raise AmrError(f"no two orientations are {delta:g} degrees apart, within 10 %.")
+    i, j = np.repeat(np.arange(len(ends)), list(map(len, ends))), np.concatenate(ends)
+    return i, j, np.degrees(_turns(X, i, j)), 0
 
 
 def _measure(X, unit, stamps):
@@ -71,35 +91,18 @@ def _measure(X, unit, stamps):
 def _nearest(measure, delta):
     """Return for each i the j > i whose distance is nearest to delta, the first of equals."""
     i = np.arange(len(measure) - 1)
-    target = measure[:-1] + delta
-    after = np.minimum(np.searchsorted(measure, target), len(measure) - 1)
-    before = np.searchsorted(measure, measure[after - 1])
-    after, before = np.maximum(after, i + 1), np.maximum(before, i + 1)
-    nearer = np.abs(measure[before] - target) <= np.abs(measure[after] - target)
-    return i, np.where(nearer, before, after)
+    j = np.searchsorted((measure[1:] + measure[:-1]) / 2, measure[:-1] + delta)
+    j = np.searchsorted(measure, measure[j])  # the first of equals, where the robot stands still
+    return i, np.maximum(j, i + 1)
 
 
-def _chain(after):
-    """Return 0, after[0], after[after[0]], ... as long as they are samples."""
-    following, k, chain = after.tolist(), 0, [0]
+def _chain(measure, delta):
+    """Return pairs end to start, each ending at the first sample that reaches delta."""
+    following = np.searchsorted(measure, measure + delta * (1 - ROUNDING)).tolist()
+    k, chain = 0, [0]
     while (k := following[k]) < len(following):
         chain.append(k)
-    return np.array(chain)
-
-
-def _pairs_at_angle(X, delta):
-    """Return all pairs whose orientations differ by delta degrees within the tolerance."""
-    firsts, lasts, angles = [], [], []
-    for i in range(len(X) - 1):
-        j = np.arange(i + 1, len(X))
-        turn = np.degrees(_turns(X, np.full(len(j), i), j))
-        fits = np.abs(turn - delta) <= TOLERANCE * delta
-        firsts.append(np.full(fits.sum(), i))
-        lasts.append(j[fits])
-        angles.append(turn[fits])
-    if not sum(map(len, firsts)):
-        raise AmrError(f"no two orientations are {delta:g} degrees apart, within 10 %.")
-    return np.concatenate(firsts), np.concatenate(lasts), np.concatenate(angles), 0
+    return np.array(chain[:-1], dtype=int), np.array(chain[1:], dtype=int)
 
 
 def _no_pairs(measure, delta, unit):
@@ -115,64 +118,93 @@ def _no_pairs(measure, delta, unit):
 
 def travelled(X):
     """Return the length of the reference's path up to each sample, meters."""
-    steps = np.diff(X[:, :-1, -1], axis=0)
-    return np.concatenate([[0], np.sqrt(np.einsum("ij,ij->i", steps, steps)).cumsum()])
+    return np.concatenate([[0], norm(np.diff(X[:, :-1, -1].T)).cumsum()])
 
 
 def pair_errors(X, Y, i, j):
-    """Return the translation and rotation errors of the pairs (i, j), meters and radians."""
-    d = X.shape[-1] - 1
+    """Return the translation and rotation errors of the pairs (i, j), meters and radians.
+
+    E = inv(A) @ B with A and B the motions of the two trajectories, so its translation is
+    as long as the difference of theirs, and it turns by the angle between their rotations.
+    """
     translation, rotation = np.empty(len(i)), np.empty(len(i))
     for block in _blocks(len(i)):
-        (A, a), (B, b) = ((_relative_rows(Z, i[block], j[block], d)) for Z in (X, Y))
+        (A, a), (B, b) = (_motions(Z, i[block], j[block]) for Z in (X, Y))
         translation[block] = norm(a - b)
-        rotation[block] = angle_of(_transpose_times(A, B))
+        rotation[block] = _angle_between(A, B)
     return translation, rotation
-
-
-def _relative_rows(X, i, j, d):
-    """Return rotation (d, d, n) and translation (d, n) of inv(X[i]) @ X[j]."""
-    P, Q = _rows(X, i, d), _rows(X, j, d)
-    R = P[:, :d]
-    return _transpose_times(R, Q[:, :d]), (R * (Q[:, d] - P[:, d])[:, None]).sum(0)
-
-
-def _transpose_times(A, B):
-    """Return A^T B for matrices whose entries come first, shape (d, d, n)."""
-    return sum(A[k, :, None] * B[k, None, :] for k in range(len(A)))
-
-
-def _turns(X, i, j):
-    """Return the angles between the orientations i and j of X, radians."""
-    d = X.shape[-1] - 1
-    turn = np.empty(len(i))
-    for block in _blocks(len(i)):
-        P, Q = _rows(X, i[block], d), _rows(X, j[block], d)
-        turn[block] = angle_of(_transpose_times(P[:, :d], Q[:, :d]))
-    return turn
 
 
 def orientation_errors(X, Y, R):
     """Return the angles between the rotations of X and R times those of Y."""
-    d = len(R)
     angles = np.empty(len(X))
     for block in _blocks(len(X)):
-        A, B = (np.moveaxis(Z[block, :d, :d], 0, -1).copy() for Z in (X, Y))
-        turned = (R @ B.reshape(d, -1)).reshape(B.shape)
-        angles[block] = angle_of(_transpose_times(A, turned))
+        A, B = (_columns(Z, block)[:-1] for Z in (X, Y))
+        angles[block] = _angle_between(A, np.einsum("ij,kjn->kin", R, B))
     return angles
 
 
-def _rows(X, k, d):
-    """Return [R, t] of the poses k with the entries first, shape (d, d+1, n)."""
-    if (np.diff(k) == 1).all():  # a slice is a view: half of the time of RPE over frames
-        k = slice(k[0], k[-1] + 1)
-    return np.moveaxis(X[k, :d], 0, -1).copy()
+def _turns(X, i, j):
+    """Return the angles between the orientations i and j of X, radians."""
+    turns = np.empty(len(i))
+    for block in _blocks(len(i)):
+        P, Q = _columns_of_pairs(X, i[block], j[block])
+        turns[block] = _angle_between(P[:-1], Q[:-1])
+    return turns
+
+
+def _motions(X, i, j):
+    """Return the columns of inv(X[i]) @ X[j]: rotations (d, d, n) and translations (d, n)."""
+    P, Q = _columns_of_pairs(X, i, j)
+    rotations = np.einsum("ikn,jkn->jin", P[:-1], Q[:-1])
+    return rotations, np.einsum("ikn,kn->in", P[:-1], Q[-1] - P[-1])
+
+
+def _angle_between(A, B):
+    """Return the angles between rotations given by their columns, (d, d, n)."""
+    half = np.minimum(_distance(A, B) / _chord(np.pi), 1)
+    angle = 2 * np.arcsin(half)
+    # Near half a turn the arcsine has lost half of its digits.
+    flipped = np.flatnonzero(half > 0.99)
+    if len(flipped):
+        angle[flipped] = angle_of(np.einsum("kin,kjn->ijn", A[..., flipped], B[..., flipped]))
+    return angle
+
+
+def _chord(angle):
+    """Return ||R - I|| (Frobenius) of a rotation by this angle, in the plane and in space."""
+    return np.sqrt(8) * np.sin(angle / 2)
+
+
+def _columns_of_pairs(X, i, j):
+    """Return the columns of the poses i and those of the poses j."""
+    start, stop = i[0], j.max() + 1
+    if stop - start > 2 * len(i):  # too far apart to share one copy
+        return _columns(X, _as_slice(i)), _columns(X, _as_slice(j))
+    columns = _columns(X, slice(start, stop))
+    return columns[..., _as_slice(i - start)], columns[..., _as_slice(j - start)]
+
+
+def _columns(X, k):
+    """Return the columns of the poses k with the samples along the last axis: (d+1, d, n)."""
+    return X[k, :-1].transpose(2, 1, 0).copy()
+
+
+def _as_slice(k):
+    """Return neighboring indices as a slice, which makes a view and not a copy."""
+    return slice(k[0], k[-1] + 1) if (np.diff(k) == 1).all() else k
 
 
 def _blocks(n):
     return [slice(k, k + BLOCK) for k in range(0, n, BLOCK)]
 
 
+def _distance(A, B):
+    """Return ||A - B|| (Frobenius) of matrices (d, d, n)."""
+    return norm((A - B).reshape(len(A) ** 2, -1))
+
+
 def norm(rows):
-    return np.sqrt(np.einsum("kn,kn->n", rows, rows))
+    """Return the lengths of vectors (d, n)."""
+    squares = np.einsum("kn,kn->n", rows, rows)
+    return np.sqrt(squares, out=squares)

@@ -2,9 +2,14 @@
 
 import numpy as np
 
-from amrmetrics._arguments import as_numbers, as_poses, as_stamps
+from amrmetrics._arguments import BLOCK, as_numbers, as_poses, as_stamps
 from amrmetrics.errors import AmrError
 from amrmetrics.poses import inverse, planar_poses, rotation_angle
+
+# Seconds over which a turn is measured: longer than noise, shorter than a robot's maneuver.
+SMOOTHING = 0.2
+# Samples of the resampled recordings, which bounds memory.
+LONGEST = 4_000_000
 
 
 def associate(reference_stamps, estimate_stamps, max_difference=0.01, offset=0.0):
@@ -44,41 +49,60 @@ def associate(reference_stamps, estimate_stamps, max_difference=0.01, offset=0.0
     ([1, 3], [0, 2])
     """
     t = as_stamps(reference_stamps, "reference_stamps")
-    u = as_stamps(estimate_stamps, "estimate_stamps") + _as_seconds(offset, "offset")
-    limit = _as_seconds(max_difference, "max_difference")
+    u = as_stamps(estimate_stamps, "estimate_stamps")
+    offset, limit = _as_seconds(offset, "offset"), _as_seconds(max_difference, "max_difference")
     if limit < 0:
         raise AmrError(f"max_difference is {limit} s; it must not be negative.")
-    after = np.clip(np.searchsorted(t, u), 1, max(len(t) - 1, 1))
-    after = np.minimum(after, len(t) - 1)
-    before = np.maximum(after - 1, 0)
-    i = np.where(u - t[before] <= t[after] - u, before, after)
-    gap = np.abs(t[i] - u)
-    # Nearest references of increasing stamps increase, so rivals stand side by side.
-    j = np.flatnonzero(gap <= limit)
+    i, j = _match(t, u, offset, limit)
     if not len(j):
-        raise AmrError(_no_match(t, u, gap, limit))
-    start = np.flatnonzero(np.diff(i[j], prepend=-1))
-    best = np.minimum.reduceat(gap[j], start)
-    winner = gap[j] == np.repeat(best, np.diff(start, append=len(j)))
-    j = j[winner]
-    first = np.diff(i[j], prepend=-1) != 0
-    return i[j[first]], j[first]
+        raise AmrError(_no_match(t, u, offset, limit))
+    return i, j
 
 
-def _no_match(t, u, gap, limit):
-    apart = f"the nearest two stamps are {gap.min():.6g} s apart"
-    if u[-1] < t[0] or t[-1] < u[0]:
+def _match(t, u, offset, limit):
+    """Match u + offset to t, in blocks that stay in the processor's cache."""
+    limit += 2 * np.spacing(np.abs([t[0], t[-1], u[0], u[-1]]).max())  # what rounding may add
+    blocks = []
+    for start in range(0, len(u), BLOCK):
+        v = u[start : start + BLOCK]
+        low, high = np.searchsorted(t, v[[0, -1]] + offset)
+        low = max(low - 1, 0)
+        # Times since t[low] are short, so that their sums and halves are exact.
+        v, near = v - t[low] + offset, t[low : high + 1] - t[low]
+        i = np.searchsorted((near[1:] + near[:-1]) / 2, v)
+        j = np.flatnonzero(np.abs(near[i] - v) <= limit)
+        blocks.append(_one_to_one(t, u, offset, i[j] + low, j + start))
+    i, j = map(np.concatenate, zip(*blocks, strict=True))
+    return _one_to_one(t, u, offset, i, j)  # across the ends of the blocks
+
+
+def _one_to_one(t, u, offset, i, j):
+    """Leave each t[i] the nearest of its u[j] + offset: rivals stand side by side."""
+    k = np.flatnonzero(i[1:] == i[:-1])
+    if not len(k):
+        return i, j
+    at, earlier, later = t[i[k]], u[j[k]] + offset, u[j[k + 1]] + offset
+    kept = np.ones(len(i), bool)
+    kept[np.where((later <= at) | (later - at < at - earlier), k, k + 1)] = False
+    return i[kept], j[kept]
+
+
+def _no_match(t, u, offset, limit):
+    i, j = _match(t, u, offset, np.inf)
+    apart = np.abs(t[i] - u[j] - offset).min()
+    if u[-1] + offset < t[0] or t[-1] < u[0] + offset:
         help_ = (
             f"The ranges do not overlap: try offset={t[0] - u[0]:.6g} if both start together "
             "(clock_offset estimates it), and check that both are in seconds"
         )
     else:
-        help_ = f"Try max_difference={1.01 * gap.min():.2g} or more, or another offset"
+        help_ = f"Try max_difference={1.01 * apart:.2g} or more, or another offset"
     gaps = [f"{np.median(np.diff(x)):.6g} s" if len(x) > 1 else "none" for x in (t, u)]
     return (
-        f"no stamps match within max_difference={limit:g} s: {apart}. The reference runs from "
-        f"{t[0]:.6f} to {t[-1]:.6f} s (typical gap {gaps[0]}), the estimate with its offset from "
-        f"{u[0]:.6f} to {u[-1]:.6f} s (typical gap {gaps[1]}). {help_}."
+        f"no stamps match within max_difference={limit:g} s: the nearest two are {apart:.6g} s "
+        f"apart. The reference runs from {t[0]:.6f} to {t[-1]:.6f} s (typical gap {gaps[0]}), the "
+        f"estimate with offset={offset:g} from {u[0] + offset:.6f} to {u[-1] + offset:.6f} s "
+        f"(typical gap {gaps[1]}). {help_}."
     )
 
 
@@ -165,8 +189,9 @@ def clock_offset(reference_stamps, X, estimate_stamps, Xh):
     Raises
     ------
     AmrError
-        If the angular speed does not vary, so that no offset can be told from another,
-        or the input is malformed.
+        If no offset can be told from another, because the angular speed does not vary or
+        the motion repeats itself; if the two agree at none (correlation below 0.71); or if
+        the input is malformed.
 
     References
     ----------
@@ -183,53 +208,68 @@ def clock_offset(reference_stamps, X, estimate_stamps, Xh):
     >>> round(am.clock_offset(t, X, t - 0.35, X), 3)
     0.35
     """
-    t, w = _angular_speed(*_as_recording(reference_stamps, X, "reference_stamps", "X"))
-    u, v = _angular_speed(*_as_recording(estimate_stamps, Xh, "estimate_stamps", "Xh"))
+    t, X = _as_recording(reference_stamps, X, "reference_stamps", "X")
+    u, Y = _as_recording(estimate_stamps, Xh, "estimate_stamps", "Xh")
+    if X.shape[1] != Y.shape[1]:
+        raise AmrError("one of X and Xh is 2-D, the other 3-D; project the spatial one first.")
+    if min(len(t), len(u)) < 4:
+        raise AmrError(
+            f"X has {len(t)} and Xh {len(u)} samples; a clock offset needs four or more."
+        )
+    step, slower = np.sort([np.median(np.diff(t)), np.median(np.diff(u))])
+    stretch = max(slower, SMOOTHING)
+    (t, w), (u, v) = _angular_speed(t, X, stretch), _angular_speed(u, Y, stretch)
     for name, speed in (("X", w), ("Xh", v)):
-        if np.ptp(speed) <= 1e-6 * max(np.abs(speed).max(), 1e-12):
+        if np.ptp(speed) <= 1e-6 * np.abs(speed).max():
             raise AmrError(
                 f"the angular speed of {name} does not vary, so every clock offset fits equally "
                 "well. Record a motion that turns now faster, now slower."
             )
-    step = min(np.median(np.diff(t)), np.median(np.diff(u)))
-    lag = _coarse_lag(*(_resample(x, y, step) for x, y in ((t, w), (u, v)))) * step
-    offset = float(t[0] - u[0] + lag)
+    step = max(step, np.ptp(t) / LONGEST, np.ptp(u) / LONGEST)
+    lag = _coarse_lag(_resample(t, w, step), _resample(u, v, step), stretch / step)
+    offset = float(t[0] - u[0] + lag * step)
+    return _refined(offset, t, w, u, v, stretch)
+
+
+def _refined(offset, t, w, u, v, stretch):
+    """Repeat the least-squares step from a coarse offset."""
     for _ in range(20):
-        inside = (u + offset >= t[0]) & (u + offset <= t[-1])
-        if inside.sum() < 3:
+        at = u + offset
+        inside = (at >= t[0]) & (at <= t[-1])
+        at = at[inside]
+        # Over a whole stretch, the noise of the slope has nothing to do with that of w(at).
+        slope = np.interp(at + stretch / 2, t, w) - np.interp(at - stretch / 2, t, w)
+        slope /= stretch
+        squares = slope @ slope
+        change = float(slope @ (v[inside] - np.interp(at, t, w)) / squares) if squares else 0.0
+        if abs(change) > stretch:
             break
-        at = u[inside] + offset
-        slope = (np.interp(at + step / 2, t, w) - np.interp(at - step / 2, t, w)) / step
-        change = slope @ (v[inside] - np.interp(at, t, w)) / (slope @ slope)
-        if not np.isfinite(change) or abs(change) > 2 * step:
-            break
-        offset += float(change)
+        offset += change
         if abs(change) < 1e-12:
             break
     return offset
 
 
-def _angular_speed(stamps, X):
-    """Return the middles of the intervals and the turn per second in each.
+def _angular_speed(stamps, X, stretch):
+    """Return the middles of stretches of this many seconds, and the turn per second in each.
 
     In the plane it has a sign; in space only its size does not depend on how the two
     sensors are mounted.
     """
-    if len(stamps) < 4:
-        raise AmrError(f"a recording has {len(stamps)} samples; a clock offset needs four or more.")
-    turn = inverse(X[:-1]) @ X[1:]
+    m = int(np.clip(round(stretch / np.median(np.diff(stamps))), 1, len(stamps) // 4))
+    turn = inverse(X[:-m]) @ X[m:]
     angle = np.arctan2(turn[:, 1, 0], turn[:, 0, 0]) if X.shape[-1] == 3 else rotation_angle(turn)
-    return (stamps[1:] + stamps[:-1]) / 2, angle / np.diff(stamps)
+    return (stamps[m:] + stamps[:-m]) / 2, angle / (stamps[m:] - stamps[:-m])
 
 
 def _resample(stamps, values, step):
-    grid = stamps[0] + step * np.arange(int((stamps[-1] - stamps[0]) / step) + 1)
+    grid = np.arange(stamps[0], stamps[-1], step)
     resampled = np.interp(grid, stamps, values)
     return resampled - resampled.mean()
 
 
-def _coarse_lag(w, v):
-    """Return the shift of `v`, in steps, at which the two agree best."""
+def _coarse_lag(w, v, width):
+    """Return the shift of `v`, in steps, at which the two agree best by far."""
     from scipy.signal import correlate
 
     overlap = correlate(np.ones_like(w), np.ones_like(v), method="fft").round()
@@ -240,7 +280,18 @@ def _coarse_lag(w, v):
     match = correlate(w, v, method="fft") / np.maximum(energy, 1e-12 * energy.max())
     # A few samples that happen to agree must not win over half of the recording.
     match[overlap < min(len(w), len(v)) / 2] = -np.inf
-    return int(np.argmax(match)) - (len(v) - 1)
+    best = int(np.argmax(match))
+    if match[best] ** 2 < 0.5:
+        raise AmrError(
+            f"the angular speeds of X and Xh agree at no offset (correlation {match[best]:.2f} at "
+            "best). Are they one motion, recorded at the same time, and is enough of it turning?"
+        )
+    if (np.diff(np.flatnonzero(match > 0.99 * match[best])) > width).any():
+        raise AmrError(
+            "the motion repeats itself, so that several clock offsets fit equally well. Record a "
+            "motion that turns irregularly."
+        )
+    return best - (len(v) - 1)
 
 
 def _as_recording(stamps, X, stamps_name, name):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from amrmetrics._arguments import as_numbers, as_pose_pair, as_position_pair
+from amrmetrics._arguments import as_array, as_numbers, as_pose_pair, as_position_pair
 from amrmetrics.alignment import Alignment, fit
 from amrmetrics.errors import AmrError
 from amrmetrics.pairs import find_pairs, norm, orientation_errors, pair_errors, travelled
@@ -48,7 +48,7 @@ class ErrorSummary:
     @property
     def rmse(self):
         """Root of the mean square: large errors weigh most."""
-        return float(np.sqrt(np.vdot(self.series, self.series) / self.n))
+        return float(np.sqrt(np.mean(self.series**2)))
 
     @property
     def mean(self):
@@ -124,14 +124,22 @@ class RelativeError:
     left_out: int = 0
 
     def __repr__(self):
-        span = f"pairs span {self.lengths.min():.6g} to {self.lengths.max():.6g}"
-        return f"{self.translation}\n{self.rotation}\n{span}, {self.left_out} left out"
+        rmse = (f"{x.of.split()[1][:-1]} rmse {x._with_unit(x.rmse)}" for x in self._both())
+        what = self.translation.of.replace(" translation", "")
+        return f"{what}: {', '.join(rmse)}, n {self.translation.n}, {self._span()}"
 
     def _repr_html_(self):
-        return self.translation._repr_html_() + self.rotation._repr_html_()
+        return "".join(x._repr_html_() for x in self._both()) + f"<p>{self._span()}</p>"
+
+    def _both(self):
+        return self.translation, self.rotation
+
+    def _span(self):
+        span = f"pairs span {self.lengths.min():.6g} to {self.lengths.max():.6g}"
+        return f"{span}, {self.left_out} left out, no alignment needed"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class DriftRate:
     """ATE per meter travelled.
 
@@ -157,6 +165,9 @@ class DriftRate:
             f"drift rate {100 * self.rate:.6g} % (ATE rmse {self.ate.rmse:.6g} m, aligned: "
             f"{self.ate.alignment.mode}, on {self.path_length:.6g} m of path, n {self.ate.n})"
         )
+
+    def _repr_html_(self):
+        return f"<table><tr><td>{self!r}</td></tr></table>"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -234,14 +245,14 @@ def ate(reference, estimate, align="rigid"):
     >>> error.series.tolist(), error.median
     ([0.0, 1.0, 0.0, 1.0], 0.5)
     """
-    both_poses = np.ndim(reference) == np.ndim(estimate) == 3
-    if both_poses:
-        reference, estimate = as_pose_pair(reference, estimate)
-    alignment, left = fit(*as_position_pair(reference, estimate), align)
-    rotation = None
-    if both_poses:
-        angles = orientation_errors(reference, estimate, alignment.rotation)
-        rotation = ErrorSummary(angles, "rad", "ATE rotation", alignment)
+    arrays = as_array(reference, "reference"), as_array(estimate, "estimate")
+    if any(array.ndim != 3 for array in arrays):
+        alignment, left = fit(*as_position_pair(*arrays), align)
+        return ErrorSummary(norm(left), "m", "ATE", alignment)
+    X, Y = as_pose_pair(*arrays)
+    alignment, left = fit(X[:, :-1, -1], Y[:, :-1, -1], align)
+    angles = orientation_errors(X, Y, alignment.rotation)
+    rotation = ErrorSummary(angles, "rad", "ATE rotation", alignment)
     return ErrorSummary(norm(left), "m", "ATE", alignment, rotation)
 
 
@@ -393,17 +404,16 @@ def segment_drift(reference, estimate, lengths=KITTI_LENGTHS, step=10):
         raise AmrError(f"step is {step!r}; expected a whole number of samples, at least 1.")
     along = travelled(X)
     per_length, total = {}, np.zeros(3)
-    for length in lengths:
+    for length in lengths.tolist():
         i = np.arange(0, len(X), step)
         j = np.searchsorted(along, along[i] + length, side="right")
         i, j = i[j < len(X)], j[j < len(X)]
         if len(i):
-            t, r = pair_errors(X, Y, i, j)
-            sums = np.array([100 * t.sum(), 100 * np.degrees(r).sum(), 0]) / length
-            sums[2] = len(i)
-            per_length[float(length)] = (sums[0] / len(i), sums[1] / len(i), len(i))
+            t, r = (error.sum() / length for error in pair_errors(X, Y, i, j))
+            sums = np.array([100 * t, 100 * np.degrees(r), len(i)])
+            per_length[length] = (*(sums[:2] / len(i)).tolist(), len(i))
             total += sums
-    if not total[2]:
+    if not per_length:
         raise AmrError(
             f"the reference is {along[-1]:.6g} m long, too short for {lengths[0]:g} m segments. "
             "Give shorter lengths."
@@ -418,18 +428,19 @@ def pool(summaries):
     Parameters
     ----------
     summaries : sequence of ErrorSummary
-        Of one unit and one alignment mode.
+        Of the same metric, unit and alignment mode.
 
     Returns
     -------
     ErrorSummary
         Over all samples. Its rmse is the root of the mean of all squares; the mean of the
-        runs' RMSEs is smaller and weighs a short run like a long one. `of` gives both.
+        runs' RMSEs weighs a short run like a long one; `of` gives it. `alignment` is that of
+        the first run.
 
     Raises
     ------
     AmrError
-        If there is no summary, or units or alignment modes differ.
+        If there is no summary, or metrics, units or alignment modes differ.
 
     References
     ----------
@@ -442,12 +453,19 @@ def pool(summaries):
     >>> round(am.pool(runs).rmse, 4)
     3.4641
     """
-    summaries = list(summaries)
+    summaries = list(summaries) if np.iterable(summaries) else [summaries]
     if not summaries:
         raise AmrError("summaries is empty; at least one run is needed.")
-    kinds = {(s.unit, s.alignment.mode if s.alignment else None) for s in summaries}
+    for k, summary in enumerate(summaries):
+        if not isinstance(summary, ErrorSummary):
+            raise AmrError(
+                f"summaries[{k}] is of type {type(summary).__name__}; expected an ErrorSummary, as "
+                "ate returns it, or the translation or rotation that rpe returns."
+            )
+    kinds = {(s.of, s.unit, s.alignment.mode if s.alignment else "none") for s in summaries}
     if len(kinds) > 1:
-        raise AmrError(f"summaries differ in unit or alignment: {sorted(map(str, kinds))}.")
+        found = "; ".join(f"{of} in {unit}, aligned: {mode}" for of, unit, mode in sorted(kinds))
+        raise AmrError(f"summaries differ in what they measure ({found}); pool equal ones.")
     mean = np.mean([s.rmse for s in summaries])
     of = f"{summaries[0].of}, {len(summaries)} runs pooled (mean of the runs' rmse {mean:.6g})"
     series = np.concatenate([s.series for s in summaries])

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from evo.core import trajectory
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
@@ -125,8 +126,56 @@ def test_path_length_of_known_paths():
     assert am.path_length(X) == 5.0
 
 
+NORMALS = {"xy": [0, 0, 1], "xz": [0, -1, 0], "yz": [1, 0, 0]}
+
+
+class TestProject:
+    @pytest.mark.parametrize("plane", NORMALS)
+    def test_a_motion_in_the_plane_keeps_its_full_turn(self, rng, plane):
+        heading = rng.uniform(-np.pi, np.pi, 50)
+        xyz = rng.normal(size=(50, 3))
+        q = Rotation.from_rotvec(np.outer(heading, NORMALS[plane])).as_quat()
+        X = am.spatial_poses(xyz, q)
+        X.flags.writeable = False
+        found = am.project(X, plane)
+        assert np.allclose(am.yaw(found), heading)
+        assert np.array_equal(am.positions(found), xyz[:, ["xyz".index(a) for a in plane]])
+
+    @pytest.mark.parametrize("plane", NORMALS)
+    def test_motions_in_the_plane_project_to_planar_motions(self, rng, plane):
+        turns = Rotation.from_rotvec(np.outer(rng.uniform(-3, 3, 20), NORMALS[plane])).as_quat()
+        G = am.spatial_poses(rng.normal(size=(20, 3)), turns)
+        X = random_poses(rng, 20, 3)
+        expected = am.project(G, plane) @ am.project(X, plane)
+        assert np.allclose(am.project(G @ X, plane), expected, atol=1e-12)
+
+    def test_in_the_ground_plane_the_heading_is_the_yaw(self, rng):
+        X = random_poses(rng, 50, 3)
+        assert np.allclose(am.yaw(am.project(X)), am.yaw(X))
+
+    def test_evo_folds_headings_beyond_a_right_angle(self):
+        heading = np.radians([45, 135, -135])
+        q = Rotation.from_euler("y", -heading[:, None]).as_quat()
+        X = am.spatial_poses(np.zeros((3, 3)), q)
+        path = trajectory.PosePath3D(poses_se3=list(X.copy()))
+        path.project(trajectory.Plane.XZ)
+        theirs = np.arctan2([P[2, 0] for P in path.poses_se3], [P[0, 0] for P in path.poses_se3])
+        assert np.allclose(np.degrees(theirs), [45, 45, -45])
+        assert np.allclose(am.yaw(am.project(X, "xz")), heading)
+
+
 EYE = np.eye(3)[None]
 REFUSED = {
+    "project planar": (lambda: am.project(EYE), "only spatial poses"),
+    "project plane": (lambda: am.project(np.eye(4)[None], "zx"), "plane is 'zx'; expected 'xy'"),
+    "project upright": (
+        lambda: am.project(
+            am.spatial_poses([[0, 0, 0]] * 2, [[0, 0, 0, 1], [0, 0.5**0.5, 0, 0.5**0.5]])
+        ),
+        "x axis is perpendicular to the xy plane in 1 poses of X, first at index 1",
+    ),
+    "project one": (lambda: am.project(np.eye(4)), r"shape \(4, 4\)"),
+    "huge position": (lambda: am.inverse(am.planar_poses([[1e200, 0]], [0])), "cannot be squared"),
     "wrap nan": (lambda: am.wrap([1, np.nan]), r"angle\[1\] is nan"),
     "wrap inf": (lambda: am.wrap(np.inf), "angle is inf"),
     "wrap text": (lambda: am.wrap("north"), "real numbers"),

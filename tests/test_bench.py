@@ -1,0 +1,21 @@
+"""The benchmark runs, and what it times computes the same as evo; nothing here depends on time."""
+
+import bench
+
+
+def test_runs_and_says_what_it_measured(tmp_path, capsys):
+    assert bench.main(["200", "100"], tmp_path / "new" / "bench.png") == 0
+    said = capsys.readouterr().out
+    for row in ("ATE of positions planar", "RPE spatial, 1 m", "associate", "read_tum"):
+        assert said.count(row) == 2
+    assert (tmp_path / "new" / "bench.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_judges_by_the_targets(capsys):
+    bench.conclude({"RPE planar, 1 frame": [(100_000, 0.01, 14.0, 0.001, 200, 1)]})
+    bench.conclude({"RPE planar, 1 frame": [(100_000, 0.01, 16.0, 0.001, 251, 1)]})
+    bench.conclude({"associate": [(10_000, 1.0, 1.0, 1, 1, 1), (100_000, 10.0, 1510.0, 1, 1, 1)]})
+    said = capsys.readouterr().out
+    assert said.count("MISSED RPE planar, 1 frame") == 2
+    assert "met    associate: 151 times evo (at least 150)" in said
+    assert "from 10000 to 100000, time grows like N^1.00" in said
