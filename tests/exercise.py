@@ -12,6 +12,7 @@ import functools
 import io
 import re
 import sys
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from unittest import mock
@@ -35,9 +36,9 @@ class ProblemSet:
     """The exercise and the solution of one problem set, and the answers kept for it."""
 
     def __init__(self, name):
-        self.name = name
+        self.name, self.folder = name, ROOT / "exercises" / name
         self.solution = nbformat.read(ROOT / "solutions" / name / f"{name}.ipynb", 4)
-        self.exercise = nbformat.read(ROOT / "exercises" / name / f"{name}.ipynb", 4)
+        self.exercise = nbformat.read(self.folder / f"{name}.ipynb", 4)
         self.official = {
             grade_id(cell): cell.source for cell in self.solution.cells if is_part(cell)
         }
@@ -53,12 +54,13 @@ class ProblemSet:
         With `hidden`, the checks are those of the grader. Returns, for each part, what its check
         raised, or None. A cell that fails does not stop the next, as in nbgrader.
         """
-        notebook = self.solution if hidden else self.exercise
-        return run(notebook, self.official | answers)
+        with contextlib.chdir(self.folder):
+            return run(self.solution if hidden else self.exercise, self.official | answers)
 
     def run_untouched(self):
         """Run the exercise as it was handed out."""
-        return run(self.exercise, {})
+        with contextlib.chdir(self.folder):
+            return run(self.exercise, {})
 
 
 def run(notebook, answers):
@@ -77,7 +79,7 @@ def run(notebook, answers):
 
 def execute(source, name, namespace):
     try:
-        with contextlib.redirect_stdout(io.StringIO()):
+        with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(action="ignore"):
             exec(compile(source, name, "exec"), namespace)
     except (Exception, SystemExit) as error:
         return error

@@ -77,7 +77,6 @@ def refresh(path):
         kernel_name="python3",
         timeout=120,
         record_timing=False,
-        store_widget_state=False,
         coalesce_streams=True,
         resources={"metadata": {"path": str(path.parent)}},
     )

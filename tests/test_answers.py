@@ -6,11 +6,11 @@ student sees, right ones also those that only the grader sees.
 
 import ast
 import contextlib
+import copy
 import io
 import re
 import tokenize
 
-import nbformat
 import pytest
 from exercise import ROOT, ProblemSet, grade_id, is_check, is_part, nbgrader, steps_checked_once
 from nbclient import NotebookClient
@@ -63,10 +63,9 @@ def test_untouched_exercise_fails_in_every_part(name):
 
 
 @each_set
-def test_untouched_exercise_in_a_kernel(name, tmp_path, monkeypatch):
-    monkeypatch.setenv("PYTHONPATH", str(ROOT))
-    notebook = nbformat.from_dict(SETS[name].exercise)
-    NotebookClient(notebook, allow_errors=True, timeout=60).execute(cwd=tmp_path)
+def test_untouched_exercise_in_a_kernel(name):
+    notebook = copy.deepcopy(SETS[name].exercise)
+    NotebookClient(notebook, allow_errors=True, timeout=60).execute(cwd=SETS[name].folder)
     for cell in notebook.cells:
         failed = [out for out in cell.get("outputs", []) if out.output_type == "error"]
         assert bool(failed) == is_check(cell), grade_id(cell)

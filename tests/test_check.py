@@ -242,9 +242,10 @@ class TestWrongLine:
             (2, 5, "a string is asked"),
             (2, "2x", "unreadable"),
             (2, "z", "z is not declared"),
+            (2, "sqrt(-1 - x**2)", "compared with line 1"),
             (2, "y + x**2", "this is line 2 as it stands"),
             (3, "y*(1 + x**2/y)", "this is line 3 as it stands"),
-            (2, "x**2 + 2*y", "at x = 1, y = 1, line 1 is 2 and yours is 3"),
+            (2, "x**2 + 2*y", "compared with line 1: wrong: at x = 1"),
             (2, "(x + y)*x", "that is not all"),
             (3, "y + x**2", "that is not all"),
             (3, "(x**3 + x*y)/x", "that is not all"),
@@ -326,6 +327,12 @@ class TestDerivation:
     def test_returns_the_chain_to_be_shown(self):
         assert check.derivation(list(self.LINES), **self.TASK).complete
         assert check.derivation(self.LINES, **self.TASK).complete
+
+    def test_sees_a_leap(self):
+        task = {**self.TASK, "at_least": 3, "must_pass": ()}
+        text = message(check.derivation, list(self.LINES), **task)
+        assert text.startswith("every line follows, but you leap: 2 of at least 3 lines.")
+        check.derivation([self.LINES[0], "x**2 + x + x + 1", self.LINES[1]], **task)
 
     @pytest.mark.parametrize(
         ("lines", "says"),

@@ -81,6 +81,7 @@ J_second = "2*N"
 
 # %% wrong: the second derivative of one term
 lines_t = [
+    "Eq(-2*Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
     "Eq(Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
     "Eq(N*t, Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))",
     "Eq(t, (Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))/N)",
@@ -89,6 +90,7 @@ J_second = "2"
 
 # %% wrong: the second derivative with the sign of the inner derivative
 lines_t = [
+    "Eq(-2*Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
     "Eq(Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
     "Eq(N*t, Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))",
     "Eq(t, (Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))/N)",
@@ -97,6 +99,7 @@ J_second = "-2*N"
 
 # %% wrong: the second derivative is not carried out
 lines_t = [
+    "Eq(-2*Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
     "Eq(Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
     "Eq(N*t, Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))",
     "Eq(t, (Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))/N)",
@@ -105,6 +108,7 @@ J_second = "Derivative(Sum((p[i] - q[i] - t)**2, (i, 1, N)), t, t)"
 
 # %% wrong: a number, not a text
 lines_t = [
+    "Eq(-2*Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
     "Eq(Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
     "Eq(N*t, Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))",
     "Eq(t, (Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))/N)",
@@ -113,6 +117,7 @@ J_second = 2
 
 # %% right: shortest, with the zero on the left and the sides turned
 lines_t = [
+    "Eq(0, 2*Sum(t - p[i] + q[i], (i, 1, N)))",
     "Eq(0, Sum(p[i] - q[i] - t, (i, 1, N)))",
     "Eq(Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)), N*t)",
     "Eq(t, (Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))/N)",

@@ -1,31 +1,55 @@
 # %% wrong: the cross product has the wrong sign
 C_and_S = ["x*u + y*v", "x*v - y*u"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "atan2(S, C)"
 
 # %% wrong: the cross product is taken for a scalar product
 C_and_S = ["x*u + y*v", "x*v + y*u"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "atan2(S, C)"
 
 # %% wrong: the factor 2 is in the brackets as well
 C_and_S = ["2*(x*u + y*v)", "2*(y*u - x*v)"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "atan2(S, C)"
 
 # %% wrong: C and S are swapped
 C_and_S = ["y*u - x*v", "x*u + y*v"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "atan2(S, C)"
 
 # %% wrong: S is missing
 C_and_S = ["x*u + y*v"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "atan2(S, C)"
 
 # %% wrong: the angle is still in C
 C_and_S = ["x*u + y*v*cos(theta)", "y*u - x*v"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "atan2(S, C)"
 
 # %% wrong: the derivative of the cosine keeps its sign
@@ -58,32 +82,56 @@ theta_min = "atan2(S, C)"
 
 # %% wrong: atan instead of atan2
 C_and_S = ["x*u + y*v", "y*u - x*v"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "atan(S/C)"
 
 # %% wrong: the arguments of atan2 are swapped
 C_and_S = ["x*u + y*v", "y*u - x*v"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "atan2(C, S)"
 
 # %% wrong: the maximum
 C_and_S = ["x*u + y*v", "y*u - x*v"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "atan2(-S, -C)"
 
 # %% wrong: the sign of the angle
 C_and_S = ["x*u + y*v", "y*u - x*v"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "-atan2(S, C)"
 
 # %% wrong: acos knows no sign
 C_and_S = ["x*u + y*v", "y*u - x*v"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "acos(C/sqrt(C**2 + S**2))"
 
 # %% wrong: NumPy's spelling
 C_and_S = ["x*u + y*v", "y*u - x*v"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(tan(theta), S/C)"]
+lines_theta = [
+    "Eq(2*C*sin(theta) - 2*S*cos(theta), 0)",
+    "Eq(C*sin(theta), S*cos(theta))",
+    "Eq(tan(theta), S/C)",
+]
 theta_min = "np.arctan2(S, C)"
 
 # %% wrong: a constant
@@ -105,5 +153,9 @@ theta_min = "atan2(S, C) + 2*pi"
 
 # %% right: the half angle, which needs no quadrant
 C_and_S = ["x*u + y*v", "u*y - v*x"]
-lines_theta = ["Eq(C*sin(theta), S*cos(theta))", "Eq(S/C, tan(theta))"]
+lines_theta = [
+    "Eq(C*sin(theta) - S*cos(theta), 0)",
+    "Eq(sin(theta)/cos(theta), S/C)",
+    "Eq(S/C, tan(theta))",
+]
 theta_min = "2*atan2(S, C + sqrt(C**2 + S**2))"
