@@ -1,0 +1,107 @@
+# %% wrong: a good mean only
+def catches_wrong_bands(consistent):
+    assert consistent(np.full(50, 3.0), 3)
+
+
+# %% wrong: a large mean only
+def catches_wrong_bands(consistent):
+    assert consistent(np.full(50, 3.0), 3)
+    assert not consistent(np.full(50, 6.0), 3)
+
+
+# %% wrong: far outside on both sides
+def catches_wrong_bands(consistent):
+    for n in (1, 2, 3):
+        assert consistent(np.full(50, n + 0.1), n)
+        assert consistent(np.full(50, n - 0.1), n)
+        assert not consistent(np.full(50, 3 * n), n)
+        assert not consistent(np.full(50, n / 3), n)
+
+
+# %% wrong: one value only
+def catches_wrong_bands(consistent):
+    for n in (1, 2, 3):
+        low, high = chi2.ppf([0.025, 0.975], n)
+        assert consistent(np.array([low * 1.01]), n)
+        assert consistent(np.array([high * 0.99]), n)
+        assert not consistent(np.array([low * 0.99]), n)
+        assert not consistent(np.array([high * 1.01]), n)
+
+
+# %% wrong: believes in the band of 5 % and 95 %
+def catches_wrong_bands(consistent):
+    low, high = chi2.ppf([0.05, 0.95], 60) / 20
+    assert consistent(np.full(20, low + 0.01), 3)
+    assert not consistent(np.full(20, high + 0.01), 3)
+
+
+# %% wrong: random values, as many as chance has it
+def catches_wrong_bands(consistent):
+    values = np.random.default_rng(0).chisquare(3, size=(200, 20))
+    assert 0.8 < np.mean([consistent(v, 3) for v in values]) < 1
+
+
+# %% wrong: one degree of freedom only
+def catches_wrong_bands(consistent):
+    for N in (5, 50):
+        low, high = chi2.ppf([0.025, 0.975], N) / N
+        assert consistent(np.full(N, high - 0.01), 1)
+        assert consistent(np.full(N, low + 0.01), 1)
+        assert not consistent(np.full(N, high + 0.01), 1)
+        assert not consistent(np.full(N, low - 0.01), 1)
+
+
+# %% wrong: returns a truth value
+def catches_wrong_bands(consistent):
+    return consistent(np.full(50, 3.0), 3) and not consistent(np.full(50, 4.0), 3)
+
+
+# %% wrong: demands the mean below the degrees of freedom
+def catches_wrong_bands(consistent):
+    assert consistent(np.full(50, 2.9), 3)
+    assert not consistent(np.full(50, 3.1), 3)
+
+
+# %% wrong: never calls what it tests
+def catches_wrong_bands(consistent):
+    assert chi2.ppf(0.975, 3) > 3
+
+
+# %% wrong: expects a verdict in words
+def catches_wrong_bands(consistent):
+    assert consistent(np.full(50, 3.0), 3) == "consistent"
+
+
+# %% wrong: a number instead of values
+def catches_wrong_bands(consistent):
+    assert consistent(3.0, 3)
+
+
+# %% wrong: a value instead of a function
+catches_wrong_bands = True
+
+# %% right: bisects for both ends
+def catches_wrong_bands(consistent):
+    for N, n in ((4, 1), (30, 3)):
+        low, high = chi2.ppf(0.025, N * n) / N, chi2.ppf(0.975, N * n) / N
+        for outside, end in ((0.0, low), (50.0, high)):
+            inside = float(n)
+            assert consistent(np.full(N, inside), n)
+            assert not consistent(np.full(N, outside), n)
+            for _ in range(40):
+                middle = (inside + outside) / 2
+                if consistent(np.full(N, middle), n):
+                    inside = middle
+                else:
+                    outside = middle
+            assert abs(inside - end) < 1e-3
+
+
+# %% right: p-values as the judge, on a grid
+def catches_wrong_bands(consistent):
+    for N in (2, 12, 100):
+        for n in (2, 3, 6):
+            for mean in np.linspace(0.2 * n, 2.5 * n, 121):
+                p = 2 * min(chi2.cdf(N * mean, N * n), chi2.sf(N * mean, N * n))
+                if abs(p - 0.05) > 1e-6:
+                    assert bool(consistent(np.full(N, mean), n)) == (p > 0.05), (N, n, mean)
