@@ -235,7 +235,7 @@ def ate(reference, estimate, align="rigid"):
     References
     ----------
     Lecture 03. Sturm et al., A benchmark for the evaluation of RGB-D SLAM systems,
-    IROS 2012, eqs. (3)-(4).
+    IROS 2012, eqs. (4)-(5).
 
     Examples
     --------

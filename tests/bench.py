@@ -31,7 +31,8 @@ from amrmetrics import plotting
 
 SIZES = (1_000, 10_000, 100_000, 1_000_000)
 PLOT = Path(__file__).resolve().parent.parent / "build" / "bench.png"
-LONGEST = 60  # seconds of evo that a row may be expected to take
+LONGEST = 60  # seconds that evo may be expected to take for a row
+ENOUGH = 0.3  # seconds for which a call is repeated
 METERS = units.Unit.meters
 RELATIONS = (metrics.PoseRelation.translation_part, metrics.PoseRelation.rotation_angle_rad)
 # At N = 100 000: how many times faster than evo, and how many bytes per pose beside the input.
@@ -110,10 +111,10 @@ def jobs(rng, n, folder):
     yield "read_tum", (t, X), lambda *_: am.read_tum(path), lambda: [path], theirs
 
 
-def seconds(call, at_least=5, for_at_least=0.3):
-    """Return the times of some calls; a call that takes long is timed once."""
+def seconds(call):
+    """Return the times of some calls; one that takes long is made once."""
     times = []
-    while not times or (times[0] < 1 and (len(times) < at_least or sum(times) < for_at_least)):
+    while not times or (times[0] < 1 and (len(times) < 5 or sum(times) < ENOUGH)):
         start = time.perf_counter()
         call()
         times.append(time.perf_counter() - start)
@@ -123,7 +124,7 @@ def seconds(call, at_least=5, for_at_least=0.3):
 def evo_seconds(prepare, call):
     """Return the median time of evo's call, and its result; its input is made anew each time."""
     times = []
-    while not times or (len(times) < 3 and sum(times) < 3):
+    while not times or (len(times) < 3 and sum(times) < 10 * ENOUGH):
         prepared = list(prepare())
         start = time.perf_counter()
         found = call(*prepared)
@@ -158,7 +159,7 @@ def measure(sizes, folder):
                 if name[:3] in ("ATE", "RPE"):  # a time counts only if the number is the same
                     np.testing.assert_allclose(ours(), found, rtol=1e-9, err_msg=name)
             mine = float(np.median(times + seconds(ours)))
-            copy = float(np.median(seconds(lambda arrays=arrays: [a.copy() for a in arrays], 20)))
+            copy = float(np.median(seconds(lambda arrays=arrays: [a.copy() for a in arrays])))
             size = sum(array.nbytes for array in arrays)
             done.append((n, mine, evo, copy, extra_bytes(ours) / n, size))
             show_row(name, *done[-1])

@@ -1,6 +1,7 @@
 """One step: read, conditions, refute, prove."""
 
 import threading
+import time
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -77,7 +78,7 @@ def check_step(before, after, domains, relation="iff", unknown=None, seed=0):
 def _check(before, after, domains, relation, unknown, seed):
     try:
         finished, step = bounded(
-            lambda: _Step(before, after, domains, relation, unknown, seed), 0.8
+            lambda: _Step(before, after, domains, relation, unknown, seed), 0.8, 1.2
         )
         if not finished:
             return Verdict("unreadable", "unreadable: the line is too complicated to read")
@@ -92,6 +93,7 @@ def _check(before, after, domains, relation, unknown, seed):
 
 class _Step:
     def __init__(self, before, after, domains, relation, unknown, seed):
+        self.end = time.monotonic() + 9.0
         domains = {str(n): Domain(str(n), t) for n, t in dict(domains).items()}
         kinds = {n: d.kind for n, d in domains.items()}
         self.model = Model(domains)
@@ -129,9 +131,9 @@ class _Step:
     def verdict(self):
         lines = [self.before, self.after]
         search = Search(self.before, self.after, self.model, self.seed, 3.0)
-        finished, needed = bounded(lambda: conditions(lines, self.model), 0.8)
+        finished, needed = bounded(lambda: conditions(lines, self.model), 0.8, 1.2)
         needed = needed if finished else ()
-        finished, wrong = bounded(lambda: self.refute(search), 4.8)
+        finished, wrong = bounded(lambda: self.refute(search), 4.0, 4.8)
         if wrong or search.found:
             return self.refuted(search)
         if search.suspect:
@@ -146,7 +148,7 @@ class _Step:
                 conditions=needed,
                 points=search.points,
             )
-        _, proved = bounded(self.prove, 2.6)
+        _, proved = bounded(self.prove, 2.6, self.end - time.monotonic())
         if proved and (search.points or self.before is None):
             return Verdict("proved", f"proved{note}", conditions=needed, points=search.points)
         if search.points:
@@ -215,7 +217,7 @@ class _Step:
             b = feedback.number(seen[2])
             if a == b:  # they differ further behind
                 a, b = (feedback.number(x, 25) for x in seen[1:3])
-            _, words = bounded(lambda: feedback.difference_in_words(search), 0.6)
+            _, words = bounded(lambda: feedback.difference_in_words(search), 0.6, 0.9)
             text = (
                 f"wrong: at {place} the line before is {a} and the line after is {b}.{words or ''}"
             )

@@ -3,6 +3,9 @@
 A second thread raises `TimeUp` in the first one when the time is up. That exception can arrive
 between any two instructions, so nothing here may hold a lock in Python code, nor wait in one: the
 two threads share two flags and one plain lock, and each operation on them is a single call.
+
+Where the system tells the computing time of a thread, that is what is limited, so that a busy
+machine gives the same verdicts; a longer limit on the time by the clock holds everywhere.
 """
 
 import _thread
@@ -16,8 +19,14 @@ class TimeUp(BaseException):
 
 
 class _Watch:
-    def __init__(self, seconds):
+    def __init__(self, seconds, wall):
         self.thread, self.seconds = threading.get_ident(), seconds
+        self.begin, self.wall = time.monotonic(), wall
+        try:
+            self.clock = time.pthread_getcpuclockid(self.thread)
+            self.used = time.clock_gettime(self.clock)
+        except (AttributeError, OSError):
+            self.clock, self.wall = None, seconds
         self.off = self.launched = self.ended = False
         self.wire = _thread.allocate_lock()
         self.wire.acquire()
@@ -28,13 +37,22 @@ class _Watch:
     def _inject(self, what):
         ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.thread), what)
 
+    def _left(self):
+        wall = self.begin + self.wall - time.monotonic()
+        if self.clock is None:
+            return wall
+        return min(wall, self.used + self.seconds - time.clock_gettime(self.clock))
+
     def _watch(self):
         pause = self.seconds
         while not self.wire.acquire(timeout=pause):
             if self.off:
                 break
-            self._inject(ctypes.py_object(TimeUp))
-            pause = 0.25  # somebody may have swallowed it: try again
+            pause = self._left()
+            if pause <= 0:
+                self._inject(ctypes.py_object(TimeUp))
+                pause = 0.25  # somebody may have swallowed it: try again
+            pause = max(pause, 0.01)
         self.ended = True
 
     def stop(self):
@@ -47,9 +65,14 @@ class _Watch:
         self._inject(None)  # one that is still on its way must not arrive
 
 
-def bounded(call, seconds):
-    """Return ``(True, call())``, or ``(False, None)`` if it takes longer than `seconds`."""
-    watch, outcome, error, begun = _Watch(seconds), (False, None), None, False
+def bounded(call, seconds, wall=None):
+    """Return ``(True, call())``, or ``(False, None)`` if it takes longer than `seconds`.
+
+    These are seconds of computing, where the system tells them, and at most `wall` seconds by the
+    clock (three times as many, if not given).
+    """
+    watch = _Watch(seconds, 3 * seconds if wall is None else wall)
+    outcome, error, begun = (False, None), None, False
     while True:
         try:
             if not begun:
