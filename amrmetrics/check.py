@@ -218,7 +218,7 @@ def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()
     _require_kind(name, yours, "text")
     alone = check_step(yours, yours, domains)
     if alone.status == "unreadable":
-        raise NotYet(f"{name} is {alone.message}")
+        raise NotYet(f"{name} is {_with_names(alone.message, domains)}")
     for operator in without:
         if operator in yours:
             raise NotYet(f"{name}: {operator} still stands in your formula. Carry it out.")
@@ -287,7 +287,8 @@ def derivation(lines, goal, *, given, domains, at_least=1, **rules):
         _require_kind(f"line {number}", line, "text")
     chain = Derivation(goal, given=given, domains=domains, **rules).check(lines)
     if not chain.complete:
-        raise NotYet(chain.problems[0])  # what follows it is often its consequence
+        first = chain.problems[0]  # what follows it is often its consequence
+        raise NotYet(_with_names(first, domains))
     if len(chain.steps) < at_least:
         raise NotYet(
             f"every line follows, but you leap: {len(chain.steps)} of at least {at_least} lines. "
@@ -336,16 +337,26 @@ def wrong_line(number, corrected, lines, domains):
     _require_kind("the corrected line", corrected, "text")
     above, given = lines[number - 2 : number]
     step = check_step(above, corrected, domains)
-    if Derivation(given, domains=domains).check([corrected]).reached:
-        raise NotYet(f"the corrected line: this is line {number} as it stands.")
+    if step.status != "unreadable":
+        for k, line in enumerate(lines, 1):
+            if Derivation(corrected, given=line, domains=domains).reached:
+                raise NotYet(f"the corrected line: this is line {k} as it stands.")
     if step.status not in ("proved", "sampled"):
-        raise NotYet(f"the corrected line, compared with line {number - 1}: {step.message}")
-    unmoved = Derivation(above, domains=domains).check([corrected]).reached
-    if unmoved or check_step(above, given, domains).status != "refuted":
+        said = _with_names(step.message, domains)
+        raise NotYet(f"the corrected line, compared with line {number - 1}: {said}")
+    if check_step(above, given, domains).status != "refuted":
         raise NotYet(
-            f"the corrected line follows from line {number - 1}, but that is not all: either line "
-            f"{number} was right as it stood, or your line does not make its move."
+            f"the corrected line follows from line {number - 1}, but that is not all: line "
+            f"{number} was right as it stood."
         )
+
+
+def _with_names(message, domains):
+    """Tell a student, who cannot declare a name, which names there are."""
+    if "is not declared" not in message:
+        return message
+    message = message.replace("; declare it in the domains", ".")
+    return f"{message} This part knows the names {', '.join(domains)} only."
 
 
 def _call(function, arguments):

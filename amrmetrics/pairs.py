@@ -89,11 +89,10 @@ def _measure(X, unit, stamps):
 
 
 def _nearest(measure, delta):
-    """Return for each i the j > i whose distance is nearest to delta, the first of equals."""
-    i = np.arange(len(measure) - 1)
+    """Return for each i the j whose distance is nearest to delta, the first of equals."""
     j = np.searchsorted((measure[1:] + measure[:-1]) / 2, measure[:-1] + delta)
-    j = np.searchsorted(measure, measure[j])  # the first of equals, where the robot stands still
-    return i, np.maximum(j, i + 1)
+    # Equals are samples where the robot stands still. A j before i comes out as too short.
+    return np.arange(len(j)), np.searchsorted(measure, measure[j])
 
 
 def _chain(measure, delta):

@@ -4,7 +4,8 @@ What is timed: from arrays in memory to the RMSE, argument checks included, agai
 prepared objects (their making is not timed) to the same RMSEs. ATE includes the alignment. ATE of
 positions is the translation error alone, ATE of poses and RPE are translation and rotation, RPE
 over all pairs. Both see the same numbers, in the same run; ours is timed before and after evo, and
-all times are medians. The copy of the input is what memory allows: no method reads it faster.
+all times are medians of processor time, which other programs disturb least. The copy of the input
+is what memory allows: no method reads it faster.
 
 evo gets a size only if ten times its last one is below a minute: longer rows have no ratio.
 """
@@ -115,9 +116,9 @@ def seconds(call):
     """Return the times of some calls; one that takes long is made once."""
     times = []
     while not times or (times[0] < 1 and (len(times) < 5 or sum(times) < ENOUGH)):
-        start = time.perf_counter()
+        start = time.process_time()
         call()
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     return times
 
 
@@ -126,9 +127,9 @@ def evo_seconds(prepare, call):
     times = []
     while not times or (len(times) < 3 and sum(times) < 10 * ENOUGH):
         prepared = list(prepare())
-        start = time.perf_counter()
+        start = time.process_time()
         found = call(*prepared)
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     return float(np.median(times)), found
 
 

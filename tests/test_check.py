@@ -190,7 +190,8 @@ class TestFormula:
             (..., "slope: there is no answer yet"),
             (2, "slope: a string is asked, you have 2"),
             ("2*x y", "slope is unreadable"),
-            ("2*z", "slope is unreadable: z is not declared"),
+            ("2*z", "slope is unreadable: z is not declared. This part knows the names x, y only."),
+            ("np.arctan2(y, x)", "slope is unreadable: write atan2(y, x), without np."),
             ("Derivative(x**2*y, x)", "slope: Derivative still stands in your formula"),
             ("-2*x*y", "slope: -2*x*y is not right. It looks as if the sign is turned."),
             ("x*y", "it makes slope equal to 1 instead of 2."),
@@ -246,10 +247,13 @@ class TestWrongLine:
             (2, "y + x**2", "this is line 2 as it stands"),
             (3, "y*(1 + x**2/y)", "this is line 3 as it stands"),
             (2, "x**2 + 2*y", "compared with line 1: wrong: at x = 1"),
-            (2, "(x + y)*x", "that is not all"),
-            (3, "y + x**2", "that is not all"),
+            (2, "(x + y)*x", "this is line 1 as it stands"),
+            (3, "y + x**2", "this is line 2 as it stands"),
+            (2, "y*(x**2/y + 1)", "this is line 3 as it stands"),
+            (3, "x*(y + x)", "this is line 1 as it stands"),
             (3, "(x**3 + x*y)/x", "that is not all"),
-            (4, "x*x + y", "that is not all"),
+            (4, "x*x + y", "this is line 2 as it stands"),
+            (4, "(x**3 + x*y)/x", "that is not all"),
         ],
     )
     def test_says_what_is_wrong_with_the_line(self, number, line, says):
@@ -334,11 +338,30 @@ class TestDerivation:
         assert text.startswith("every line follows, but you leap: 2 of at least 3 lines.")
         check.derivation([self.LINES[0], "x**2 + x + x + 1", self.LINES[1]], **task)
 
+    @pytest.mark.parametrize("last", ["Eq(x, b - a)", "Eq(x, -(a - b))", "Eq((2*b - 2*a)/2, x)"])
+    def test_an_equation_may_be_solved_in_any_form(self, last):
+        names = dict.fromkeys("abx", "real")
+        task = {"goal": "Eq(x, 3*(b - a)/3)", "given": "Eq(2*(x + a), 2*b)", "domains": names}
+        check.derivation(["Eq(x + a, b)", last], **task)
+
+    @pytest.mark.parametrize(
+        "last",
+        ["Eq(x + a, b)", "Eq(-x, a - b)", "Eq(x, 2*b - 2*a - x)", "Eq(x, Subs(b - y, y, a))"],
+    )
+    def test_an_equation_that_is_not_solved_is_not_the_goal(self, last):
+        names = dict.fromkeys("abx", "real")
+        task = {"goal": "Eq(x, b - a)", "given": "Eq(2*(x + a), 2*b)", "domains": names}
+        assert "the goal is not reached" in message(check.derivation, [last], **task)
+        task |= {"goal": "Eq(x, a**2 - b**2)", "given": "Eq(x, (a - b)*(a + b))"}
+        text = message(check.derivation, ["Eq(x, a*(a + b) - b*(a + b))"], **task)
+        assert "does not have its form yet" in text
+
     @pytest.mark.parametrize(
         ("lines", "says"),
         [
             ([], "no answer yet"),
             ([...], "no answer yet"),
+            (["x*(x + 1) + z"], "z is not declared. This part knows the names x only."),
             (..., "no answer yet"),
             (None, "no answer yet"),
             ("x**2 + 2*x + 1", "a list of lines is asked"),

@@ -72,7 +72,9 @@ class Derivation:
     Parameters
     ----------
     goal : str or SymPy object
-        The last line has to be this, up to the order of terms.
+        The last line has to be this, up to the order of terms and the names of bound indices. If
+        the goal is an equation with a symbol alone on one side, and the chain does not start from
+        such a one, the other side may have any form without further sums, integrals, derivatives.
     given : str or SymPy object, optional
         The line the chain starts from. Without it the first line is the start; if that is an
         equation or inequality, it has to hold on the whole domain.
@@ -201,9 +203,20 @@ class Derivation:
 
     @property
     def reached(self):
-        """Whether the last line is the goal."""
+        """Whether the last line is the goal, or an equation solved as the goal is."""
         last = self._before()
-        return last is not None and form(last) == form(self.goal)
+        return last is not None and (form(last) == form(self.goal) or self._solved(last))
+
+    def _solved(self, last):
+        """Whether the chain solves for the goal's unknown, and `last` says what the goal says."""
+        x = solved_for(self.goal)
+        start = next(w for w in [self.given, *[s.written for s in self.steps]] if w is not None)
+        if x is None or solved_for(last) != x or solved_for(start) == x:
+            return False
+        if not operators(last) <= operators(self.goal):
+            return False
+        verdict = check_step(last, self.goal, self.domains, seed=self.seed)
+        return verdict.status in ("proved", "sampled")
 
     @property
     def problems(self):
@@ -306,9 +319,23 @@ def key(w):
     return (w.func.__name__, *parts)
 
 
+def solved_for(w):
+    """Return the symbol that an equation is solved for: alone on one side, not on the other."""
+    sides = w.args if isinstance(w, sp.Eq) else ()
+    pairs = zip(sides, sides[::-1], strict=True)
+    return next((x for x, y in pairs if x.is_Symbol and x not in y.free_symbols), None)
+
+
+def operators(w):
+    """Return which operators in a line are still to be carried out."""
+    return {type(x) for x in w.atoms(sp.Sum, sp.Product, sp.Integral, sp.Derivative, sp.Subs)}
+
+
 def form(w):
-    """Return the form of a line: up to order, signs and numbers; nothing is worked out."""
+    """Return the form of a line: up to order, signs, numbers and the names of bound indices."""
     w = tidy(w)
+    if w.has(sp.Sum, sp.Product, sp.Integral):
+        w = w.as_dummy()
     return key(w.canonical if isinstance(w, (sp.Gt, sp.Lt, sp.Ge, sp.Le)) else w)
 
 

@@ -32,9 +32,15 @@ class Underflow(Unreliable):
 
 
 def add(terms):
+    """Add; what cancels to rounding error is zero, and no term may be too small to be seen."""
     total = mpmath.fsum(terms)
-    if total and abs(total) < mpmath.ldexp(max(abs(t) for t in terms), -int(0.85 * mp.prec)):
+    sizes = [abs(t) for t in terms if t]
+    if not sizes or not mpmath.isfinite(total):
+        return total
+    if total and abs(total) < mpmath.ldexp(max(sizes), -int(0.85 * mp.prec)):
         return mp.zero
+    if mp.dps > 100 and min(sizes) < mpmath.ldexp(max(sizes), 10 - mp.prec):
+        raise Unreliable("terms of too different a size")
     return total
 
 

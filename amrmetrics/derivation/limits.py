@@ -10,6 +10,7 @@ machine gives the same verdicts; a longer limit on the time by the clock holds e
 
 import _thread
 import ctypes
+import sys
 import threading
 import time
 
@@ -73,6 +74,9 @@ def bounded(call, seconds, wall=None):
     """
     watch = _Watch(seconds, 3 * seconds if wall is None else wall)
     outcome, error, begun = (False, None), None, False
+    hook = sys.unraisablehook
+    # Where it arrives in a destructor or a callback, it is lost, and a message with it.
+    sys.unraisablehook = lambda lost: None if lost.exc_type is TimeUp else hook(lost)
     while True:
         try:
             if not begun:
@@ -85,6 +89,7 @@ def bounded(call, seconds, wall=None):
             continue
         except BaseException as other:
             error = other
+    sys.unraisablehook = hook
     if error is not None:
         raise error
     if not outcome[0]:

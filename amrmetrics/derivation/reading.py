@@ -21,7 +21,9 @@ _ONE = "sin cos tan cot sinh cosh tanh asin acos atan exp log Abs sign gamma fac
 _TWO = "atan2 binomial beta uppergamma lowergamma KroneckerDelta Mod"
 FUNCTIONS = {n: getattr(sp, n) for n in f"{_ONE} {_TWO} floor ceiling Max Min".split()}
 ARITY = dict.fromkeys(_TWO.split(), (2, 2)) | {"log": (1, 2), "Max": (1, 9), "Min": (1, 9)}
-OTHER_NAMES = {"abs": "Abs", "max": "Max", "min": "Min", "ln": "log", "arctan2": "atan2"}
+OTHER_NAMES = {"abs": "Abs", "max": "Max", "min": "Min", "ln": "log"}
+OTHER_NAMES |= {f"arc{n}": f"a{n}" for n in ("sin", "cos", "tan", "tan2")}
+MODULES = ("np", "numpy", "math", "sp", "sympy")
 RELATIONS = {n: getattr(sp, n) for n in ("Eq", "Ne", "Gt", "Ge", "Lt", "Le")}
 COMPARE = {ast.Gt: sp.Gt, ast.GtE: sp.Ge, ast.Lt: sp.Lt, ast.LtE: sp.Le}
 CONSTANTS = {"pi": sp.pi, "E": sp.E, "oo": sp.oo}
@@ -146,7 +148,11 @@ class _Reader:
         sides = self.build(node.left), self.build(node.comparators[0])
         return _relation(COMPARE[type(node.ops[0])], *sides)
 
-    def _Attribute(self, node):
+    def _Attribute(self, node, arguments=""):
+        module = getattr(node.value, "id", None)
+        if module in MODULES and module not in self.kinds:
+            name = OTHER_NAMES.get(node.attr, node.attr)
+            raise Unreadable(f"write {name}{arguments}, without {module}.")
         if node.attr == "T":
             return sp.Transpose(self.matrix(node.value))
         raise Unreadable(f".{node.attr} is not known; matrices have .T, .inv(), .det(), .trace()")
@@ -170,7 +176,8 @@ class _Reader:
             raise Unreadable("options cannot be passed to a function here")
         if isinstance(node.func, ast.Attribute):
             if node.func.attr not in MATRIX or node.args:
-                return self._Attribute(node.func)
+                arguments = ", ".join(map(ast.unparse, node.args))
+                return self._Attribute(node.func, f"({arguments})")
             square = node.func.attr != "transpose"
             return MATRIX[node.func.attr](self.matrix(node.func.value, square))
         if not isinstance(node.func, ast.Name):

@@ -43,6 +43,16 @@ theta_deg = 126.87
 t_star = (0, -5)
 J_min = 32
 
+# %% wrong: the mean of the squares instead of their sum
+theta_deg = 126.87
+t_star = (0, -5)
+J_min = 2 / 3
+
+# %% wrong: another turn of a wrong angle
+theta_deg = 360 - 126.87
+t_star = (0, -5)
+J_min = 2
+
 # %% wrong: the root mean square instead of the sum
 theta_deg = 126.87
 t_star = (0, -5)
@@ -81,3 +91,8 @@ J_min = np.sum((p - p_hat @ rotation.T - t_star) ** 2)
 theta_deg = 126.9
 t_star = [0.0, -5.0]
 J_min = 2.0
+
+# %% right: a full turn less
+theta_deg = 126.87 - 360
+t_star = (0, -5)
+J_min = 2

@@ -115,6 +115,15 @@ lines_t = [
 ]
 J_second = 2
 
+# %% wrong: solved for t, but t is still on the right
+lines_t = [
+    "Eq(-2*Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
+    "Eq(Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
+    "Eq(N*t, Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))",
+    "Eq(t, Sum(p[i] - q[i], (i, 1, N))/N + t - Sum(t, (i, 1, N))/N)",
+]
+J_second = "2*N"
+
 # %% right: shortest, with the zero on the left and the sides turned
 lines_t = [
     "Eq(0, 2*Sum(t - p[i] + q[i], (i, 1, N)))",
@@ -134,5 +143,32 @@ lines_t = [
     "Eq(Sum(p[k] - q[k], (k, 1, N)) - N*t, 0)",
     "Eq(N*t, Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))",
     "Eq(t, (Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))/N)",
+]
+J_second = "2*N"
+
+# %% right: the lecture's index k
+lines_t = [
+    "Eq(-2*Sum(p[k] - q[k] - t, (k, 1, N)), 0)",
+    "Eq(Sum(p[k] - q[k] - t, (k, 1, N)), 0)",
+    "Eq(N*t, Sum(p[k], (k, 1, N)) - Sum(q[k], (k, 1, N)))",
+    "Eq(t, (Sum(p[k], (k, 1, N)) - Sum(q[k], (k, 1, N)))/N)",
+]
+J_second = "2*N"
+
+# %% right: two means in the last line
+lines_t = [
+    "Eq(-2*Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
+    "Eq(Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
+    "Eq(N*t, Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))",
+    "Eq(t, Sum(p[i], (i, 1, N))/N - Sum(q[i], (i, 1, N))/N)",
+]
+J_second = "2*N"
+
+# %% right: the mean of the differences, sides turned
+lines_t = [
+    "Eq(-2*Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
+    "Eq(Sum(p[i] - q[i] - t, (i, 1, N)), 0)",
+    "Eq(N*t, Sum(p[i], (i, 1, N)) - Sum(q[i], (i, 1, N)))",
+    "Eq(Sum(p[i] - q[i], (i, 1, N))/N, t)",
 ]
 J_second = "2*N"

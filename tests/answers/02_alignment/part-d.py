@@ -130,6 +130,28 @@ def align_2d(reference, estimate):
     return theta, reference.mean(axis=0) - R @ estimate.mean(axis=0)
 
 
+# %% wrong: an absolute threshold refuses a small cloud
+def align_2d(reference, estimate):
+    p, q = reference - reference.mean(axis=0), estimate - estimate.mean(axis=0)
+    C, S = (p * q).sum(), (p[:, 1] * q[:, 0] - p[:, 0] * q[:, 1]).sum()
+    if np.hypot(C, S) < 1:
+        raise ValueError("no angle is best")
+    theta = np.arctan2(S, C)
+    R = np.array([[np.cos(theta), -np.sin(theta)], [np.sin(theta), np.cos(theta)]])
+    return theta, reference.mean(axis=0) - R @ estimate.mean(axis=0)
+
+
+# %% wrong: compares rounded sums with zero
+def align_2d(reference, estimate):
+    p, q = reference - reference.mean(axis=0), estimate - estimate.mean(axis=0)
+    C, S = (p * q).sum(), (p[:, 1] * q[:, 0] - p[:, 0] * q[:, 1]).sum()
+    if C == 0 and S == 0:
+        raise ValueError("no angle is best")
+    theta = np.arctan2(S, C)
+    R = np.array([[np.cos(theta), -np.sin(theta)], [np.sin(theta), np.cos(theta)]])
+    return theta, reference.mean(axis=0) - R @ estimate.mean(axis=0)
+
+
 # %% wrong: refuses two points
 def align_2d(reference, estimate):
     if len(reference) < 3 or (reference == reference[0]).all():

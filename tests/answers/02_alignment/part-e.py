@@ -18,6 +18,18 @@ corrected_line = "Q*((s - A/Q)**2 - A**2/Q**2) + P"
 wrong_line = 4
 corrected_line = "P + (-A**2/Q**2 + (s - A/Q)**2)*Q"
 
+# %% wrong: the right number, with the first line copied
+wrong_line = 4
+corrected_line = "P - 2*s*A + s**2*Q"
+
+# %% wrong: the right number, with the second line in another order copied
+wrong_line = 4
+corrected_line = "P + (s**2 - 2*A*s/Q)*Q"
+
+# %% wrong: the right number, with the last line copied
+wrong_line = 4
+corrected_line = "Q*(s - A/Q)**2 + P*(1 - A**2/(P*Q**2))"
+
 # %% wrong: a line that was right, rewritten
 wrong_line = 3
 corrected_line = "P + Q*(s - A/Q)**2 - A**2/Q"
