@@ -93,8 +93,8 @@ class ErrorSummary:
     def _rows(self):
         names = ("rmse", "mean", "median", "std", "min", "max", "p95")
         rows = [(name, self._with_unit(getattr(self, name))) for name in names]
-        how = f"aligned: {self.alignment.mode}" if self.alignment else "no alignment needed"
-        return [*rows, ("n", f"{self.n}"), ("", how)]
+        how = self.alignment.mode if self.alignment else "not needed"
+        return [*rows, ("n", f"{self.n}"), ("alignment", how)]
 
     def _with_unit(self, x):
         degrees = f" ({np.degrees(x):.6g} deg)" if self.unit == "rad" else ""

@@ -103,6 +103,16 @@ class TestAssociate:
                 assert np.abs(u - t[best]).min() <= gap
         assert len(np.unique(i)) == len(i)
 
+    def test_stamps_one_rounding_step_apart(self):
+        step = np.spacing(1.3e9)
+        for start in (1.3e9, 1.3e9 + step):
+            i, j = am.associate([start, start + step], [start + step], 1.0)
+            assert (i.tolist(), j.tolist()) == ([1], [0])
+
+    def test_one_to_one_even_where_differences_round_to_the_same(self):
+        i, j = am.associate([2.0**60], [1.0, 1.5, 2.0**59], 2.0**61)
+        assert (i.tolist(), j.tolist()) == ([0], [2])
+
     def test_the_limit_is_inclusive_in_decimals_too(self):
         t = np.arange(100) / 10
         for epoch in (0, 1.3e9):

@@ -450,7 +450,8 @@ class TestSummary:
         error = am.ate(X, Y, "similarity")
         for text in (repr(error), error._repr_html_()):
             assert "ATE" in text
-            assert "aligned: similarity" in text
+            assert "alignment" in text
+            assert "similarity" in text
             assert "200" in text
         assert " rad (" in repr(error.rotation)
         found = am.rpe(X, Y, 0.5, "metres")
