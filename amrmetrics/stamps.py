@@ -20,7 +20,8 @@ def associate(reference_stamps, estimate_stamps, max_difference=0.01, offset=0.0
     reference_stamps, estimate_stamps : (N,), (M,) array
         Seconds, increasing.
     max_difference : float
-        Largest difference of a match in seconds, inclusive, >= 0.
+        Largest difference of a match in seconds, >= 0; inclusive up to the rounding of the
+        stamps.
     offset : float
         Seconds, added to the estimate's stamps first.
 
@@ -83,7 +84,7 @@ def _one_to_one(t, u, offset, i, j):
         return i, j
     at, earlier, later = t[i[k]], u[j[k]] + offset, u[j[k + 1]] + offset
     kept = np.ones(len(i), bool)
-    kept[np.where((later <= at) | (later - at < at - earlier), k, k + 1)] = False
+    kept[np.where(later - at < at - earlier, k, k + 1)] = False
     return i[kept], j[kept]
 
 

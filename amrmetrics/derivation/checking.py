@@ -93,7 +93,7 @@ def _check(before, after, domains, relation, unknown, seed):
 
 class _Step:
     def __init__(self, before, after, domains, relation, unknown, seed):
-        self.end = time.monotonic() + 9.0
+        self.end = time.monotonic() + 8.5
         domains = {str(n): Domain(str(n), t) for n, t in dict(domains).items()}
         kinds = {n: d.kind for n, d in domains.items()}
         self.model = Model(domains)

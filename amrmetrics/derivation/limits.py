@@ -28,7 +28,7 @@ class _Watch:
             self.used = time.clock_gettime(self.clock)
         except (AttributeError, OSError):
             self.clock, self.wall = None, seconds
-        self.off = self.launched = self.ended = False
+        self.off = self.launched = self.fired = self.ended = False
         self.wire = _thread.allocate_lock()
         self.wire.acquire()
 
@@ -51,6 +51,7 @@ class _Watch:
                 break
             pause = self._left()
             if pause <= 0:
+                self.fired = True
                 self._inject(ctypes.py_object(TimeUp))
                 pause = 0.25  # somebody may have swallowed it: try again
             pause = max(pause, 0.01)
@@ -92,6 +93,8 @@ def bounded(call, seconds, wall=None):
     sys.unraisablehook = hook
     if error is not None:
         raise error
+    if not outcome[0] and not watch.fired:
+        raise TimeUp  # it was meant for a call further out
     if not outcome[0]:
         from sympy.core.cache import clear_cache
 

@@ -13,7 +13,7 @@ from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import BooleanAtom
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-MAX_TEXT, MAX_NODES, MAX_DEPTH, MAX_DEGREE = 4000, 2500, 60, 120
+MAX_TEXT, MAX_NODES, MAX_DEPTH, MAX_DEGREE, MAX_TERMS = 4000, 2500, 60, 120, 1000
 SHAPES = {"vec2": (2, 1), "vec3": (3, 1), "spd2": (2, 2), "spd3": (3, 3), "chol2": (2, 2)}
 SHAPES |= {"rot": (2, 2), "se2": (3, 3)}
 
@@ -419,6 +419,12 @@ def vet(w, kinds):
             raise Unreadable("the line contains a value that is not defined, such as 1/0")
         if isinstance(node, sp.Sum | sp.Product | sp.Integral | sp.Subs):
             bound |= {v.name for v in node.variables}
+        if isinstance(node, sp.Sum | sp.Product):
+            for _, low, high in node.limits:
+                if (high - low).is_Integer and high - low > MAX_TERMS:
+                    raise Unreadable(
+                        f"a sum of more than {MAX_TERMS} terms needs a symbol as limit"
+                    )
         if type(node) is sp.Symbol and node.name not in kinds and node.name not in bound:
             raise Unreadable(_unknown(node.name, kinds))
         part, limit = None, 1e300
