@@ -179,10 +179,10 @@ def as_stamps(value, name):
     if array.ndim != 1:
         raise AmrError(f"{name} has shape {array.shape}; time stamps need shape (N,).")
     _with_samples(array, name)
-    steps = np.diff(array)
-    if (steps <= 0).any():
-        k = int(np.argmax(steps <= 0))
-        what = "repeat" if steps[k] == 0 else "go back in time"
+    backward = array[1:] <= array[:-1]
+    if backward.any():
+        k = int(np.argmax(backward))
+        what = "repeat" if array[k] == array[k + 1] else "go back in time"
         raise AmrError(
             f"{name} {what} at index {k + 1}: {array[k]:.6f} s comes before {array[k + 1]:.6f} s. "
             "Stamps must increase; sort the recording or drop the repeated sample."

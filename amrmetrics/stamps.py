@@ -2,10 +2,12 @@
 
 import numpy as np
 
-from amrmetrics._arguments import BLOCK, as_numbers, as_poses, as_stamps
+from amrmetrics._arguments import as_numbers, as_poses, as_stamps
 from amrmetrics.errors import AmrError
 from amrmetrics.poses import inverse, planar_poses, rotation_angle
 
+# Stamps that are matched at a time: they stay in the processor's cache.
+BLOCK = 8192
 # Seconds over which a turn is measured: longer than noise, shorter than a robot's maneuver.
 SMOOTHING = 0.2
 # Samples of the resampled recordings, which bounds memory.
@@ -61,7 +63,7 @@ def associate(reference_stamps, estimate_stamps, max_difference=0.01, offset=0.0
 
 
 def _match(t, u, offset, limit):
-    """Match u + offset to t, in blocks that stay in the processor's cache."""
+    """Return the indices of matches between t and u + offset."""
     limit += 2 * np.spacing(np.abs([t[0], t[-1], u[0], u[-1]]).max())  # what rounding may add
     blocks = []
     for start in range(0, len(u), BLOCK):
@@ -70,11 +72,22 @@ def _match(t, u, offset, limit):
         low = max(low - 1, 0)
         # Times since t[low] are short, so that their sums and halves are exact.
         v, near = v - t[low] + offset, t[low : high + 1] - t[low]
-        i = np.searchsorted((near[1:] + near[:-1]) / 2, v)
+        i = _nearest(near, v)
         j = np.flatnonzero(np.abs(near[i] - v) <= limit)
         blocks.append(_one_to_one(t, u, offset, i[j] + low, j + start))
     i, j = map(np.concatenate, zip(*blocks, strict=True))
     return _one_to_one(t, u, offset, i, j)  # across the ends of the blocks
+
+
+def _nearest(t, u):
+    """Return for each u the index of the nearest t, the earlier of two equally near."""
+    # t[i] is the nearest of what lies in (edges[i], edges[i + 1]].
+    edges = np.concatenate([[-np.inf], (t[1:] + t[:-1]) / 2, [np.inf]])
+    # Two recordings at one rate advance together; what does not is searched for.
+    i = np.minimum(np.searchsorted(edges, u[0]) - 1 + np.arange(len(u)), len(t) - 1)
+    other = np.flatnonzero((u <= edges[i]) | (u > edges[i + 1]))
+    i[other] = np.searchsorted(edges, u[other]) - 1
+    return i
 
 
 def _one_to_one(t, u, offset, i, j):

@@ -191,7 +191,7 @@ class TestFormula:
             (2, "slope: a string is asked, you have 2"),
             ("2*x y", "slope is unreadable"),
             ("2*z", "slope is unreadable: z is not declared. This part knows the names x, y only."),
-            ("np.arctan2(y, x)", "slope is unreadable: write atan2(y, x), without np."),
+            ("np.arctan2(y, x)", "slope is unreadable: write atan2, without np."),
             ("Derivative(x**2*y, x)", "slope: Derivative still stands in your formula"),
             ("-2*x*y", "slope: -2*x*y is not right. It looks as if the sign is turned."),
             ("x*y", "it makes slope equal to 1 instead of 2."),

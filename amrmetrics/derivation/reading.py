@@ -148,11 +148,11 @@ class _Reader:
         sides = self.build(node.left), self.build(node.comparators[0])
         return _relation(COMPARE[type(node.ops[0])], *sides)
 
-    def _Attribute(self, node, arguments=""):
+    def _Attribute(self, node):
         module = getattr(node.value, "id", None)
         if module in MODULES and module not in self.kinds:
             name = OTHER_NAMES.get(node.attr, node.attr)
-            raise Unreadable(f"write {name}{arguments}, without {module}.")
+            raise Unreadable(f"write {name}, without {module}.")
         if node.attr == "T":
             return sp.Transpose(self.matrix(node.value))
         raise Unreadable(f".{node.attr} is not known; matrices have .T, .inv(), .det(), .trace()")
@@ -176,8 +176,7 @@ class _Reader:
             raise Unreadable("options cannot be passed to a function here")
         if isinstance(node.func, ast.Attribute):
             if node.func.attr not in MATRIX or node.args:
-                arguments = ", ".join(map(ast.unparse, node.args))
-                return self._Attribute(node.func, f"({arguments})")
+                return self._Attribute(node.func)
             square = node.func.attr != "transpose"
             return MATRIX[node.func.attr](self.matrix(node.func.value, square))
         if not isinstance(node.func, ast.Name):
