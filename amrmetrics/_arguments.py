@@ -14,31 +14,44 @@ LARGEST = 1e100
 # Rotation matrices read from text keep six or seven digits.
 ORTHONORMAL_WITHIN = 1e-5
 
-# 4096 poses of 16 doubles are half a megabyte: they stay in the cache while worked on.
-BLOCK = 4096
+# Samples worked on at a time: 8192 poses of 16 doubles are a megabyte, and stay in the cache.
+BLOCK = 8192
 
 
 def as_numbers(value, name):
     """Return `value` as an array of finite doubles."""
+    array = _as_reals(value, name)
+    _refuse_not_finite(array, name)
+    return array
+
+
+def _as_reals(value, name):
     array = as_array(value, name)
     if array.dtype.kind not in "fiu":
         # Strings and complex numbers convert to float in ways nobody means.
         raise AmrError(
             f"{name} must be an array of real numbers; its entries are of type {array.dtype}."
         )
-    array = array.astype(float, copy=False)
-    if not np.isfinite(array).all():
-        bad = ~np.isfinite(array)
+    return array.astype(float, copy=False)
+
+
+def _refuse_not_finite(array, name):
+    bad = ~np.isfinite(array)
+    if bad.any():
         raise AmrError(
             f"{name}{_first(bad)} is {array[bad][0]}; entries of {name} that are NaN or infinite: "
             f"{bad.sum()}. Remove or interpolate those samples first."
         )
-    return array
 
 
 def as_rows(value, name, widths, meaning):
     """Return `value` as an (N, w) array with N >= 1 and w one of `widths`."""
-    array = as_numbers(value, name)
+    array = _in_rows(_as_reals(value, name), name, widths, meaning)
+    _refuse_not_finite(array, name)
+    return array
+
+
+def _in_rows(array, name, widths, meaning):
     if array.ndim != 2 or array.shape[1] not in widths:
         shapes = " or ".join(f"(N, {width})" for width in widths)
         raise AmrError(
@@ -52,7 +65,7 @@ def as_poses(value, name, batch=False):
 
     With `batch`, any number of leading axes is allowed, none included.
     """
-    array = as_numbers(value, name)
+    array = _as_reals(value, name)
     square = array.ndim >= 2 and array.shape[-2:] in ((3, 3), (4, 4))
     if not square or (array.ndim != 3 and not batch):
         raise AmrError(
@@ -62,17 +75,21 @@ def as_poses(value, name, batch=False):
     _with_samples(array, name)
     with np.errstate(over="ignore", invalid="ignore"):
         if not all(map(_are_poses, in_blocks(array.reshape(-1, *array.shape[-2:])))):
+            _refuse_not_finite(array, name)
             _refuse_non_poses(array, name)
     return array
 
 
 def _are_poses(X):
-    """Say if these are a rotation, a position that can be squared, and the row 0 ... 0 1."""
+    """Say if these are a rotation, a position that can be squared, and the row 0 ... 0 1.
+
+    NaN fails every comparison, so that finite numbers need no pass of their own.
+    """
     if len(X) == 3:
-        (a, c, _), (b, d, _), (*zeros, one) = X
+        (a, c, _), (b, d, _), _ = X
         off = (a * a + b * b - 1, c + b, d - a)
     else:
-        (a, d, g, _), (b, e, h, _), (c, f, i, _), (*zeros, one) = X
+        (a, d, g, _), (b, e, h, _), (c, f, i, _), _ = X
         off = (
             a * a + b * b + c * c - 1,
             d * d + e * e + f * f - 1,
@@ -82,8 +99,7 @@ def _are_poses(X):
             a * e - b * d - i,
         )
     return (
-        not np.any(zeros)
-        and (one == 1).all()
+        (X[-1] == np.eye(len(X))[:, -1:]).all()
         and all(_size(x) < ORTHONORMAL_WITHIN for x in off)
         and _size(X[:-1, -1]) <= LARGEST
     )
@@ -151,13 +167,15 @@ def _paired(p, q):
 
 def as_positions(value, name):
     """Return (N, d) positions from positions or from poses (N, d+1, d+1)."""
-    array = as_array(value, name)
+    array = _as_reals(value, name)
     if array.ndim == 3:
         if array.shape[1:] not in ((3, 3), (4, 4)):
             as_poses(array, name)  # says what is wrong
         array = array[:, :-1, -1]
-    array = as_rows(array, name, (2, 3), "positions")
-    _refuse_huge(array, name)
+    array = _in_rows(array, name, (2, 3), "positions")
+    if not _size(array) <= LARGEST:  # nor is NaN
+        _refuse_not_finite(array, name)
+        _refuse_huge(array, name)
     return array
 
 

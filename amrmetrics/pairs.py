@@ -19,21 +19,21 @@ ROUNDING = 1e-9
 
 
 def find_pairs(X, delta, unit, pairs, stamps):
-    """Return (i, j, lengths, left_out) for `rpe`."""
+    """Return the pairs (2, M), what each spans, and how many were left out, for `rpe`."""
     delta = _as_delta(delta, unit, pairs)
     if unit == "frames":
         return _frames_apart(len(X), int(delta), pairs)
     if unit == "degrees" and pairs == "all":
         return _degrees_apart(X, delta)
     measure = _measure(X, unit, stamps)
-    i, j = _chain(measure, delta) if pairs == "consecutive" else _nearest(measure, delta)
-    lengths = measure[j] - measure[i]
+    found = np.array((_chain if pairs == "consecutive" else _nearest)(measure, delta))
+    lengths = np.diff(measure[found], axis=0)[0]
     # A sum of single turns overshoots by up to one of them, and nothing better is there.
     tolerance = np.inf if unit == "degrees" else TOLERANCE + ROUNDING
     kept = np.abs(lengths - delta) <= tolerance * delta
     if not kept.any():
         raise AmrError(_no_pairs(measure, delta, unit))
-    return i[kept], j[kept], lengths[kept], int(len(kept) - kept.sum())
+    return found[:, kept], lengths[kept], int(len(kept) - kept.sum())
 
 
 def _as_delta(delta, unit, pairs):
@@ -55,7 +55,7 @@ def _frames_apart(n, delta, pairs):
     if delta >= n:
         raise AmrError(f"delta is {delta} frames, but the recording has {n} samples.")
     i = np.arange(0, n - delta, 1 if pairs == "all" else delta)
-    return i, i + delta, np.full(len(i), float(delta)), 0
+    return i + [[0], [delta]], np.broadcast_to(float(delta), len(i)), 0
 
 
 def _degrees_apart(X, delta):
@@ -69,8 +69,8 @@ def _degrees_apart(X, delta):
         ends.append(i + 1 + np.flatnonzero((chord >= low) & (chord <= high)))
     if not sum(map(len, ends)):
         raise AmrError(f"no two orientations are {delta:g} degrees apart, within 10 %.")
-    i, j = np.repeat(np.arange(len(ends)), list(map(len, ends))), np.concatenate(ends)
-    return i, j, np.degrees(_turns(X, i, j)), 0
+    found = np.array([np.repeat(np.arange(len(ends)), list(map(len, ends))), np.concatenate(ends)])
+    return found, np.degrees(_turns(X, *found)), 0
 
 
 def _measure(X, unit, stamps):
@@ -128,7 +128,7 @@ def pair_errors(X, Y, i, j):
     """
     translation, rotation = np.empty(len(i)), np.empty(len(i))
     for block in _blocks(len(i)):
-        (A, a), (B, b) = (_motions(Z, i[block], j[block]) for Z in (X, Y))
+        (A, a), (B, b) = (_motions(P, Q) for P, Q in _columns_of_pairs((X, Y), i[block], j[block]))
         translation[block] = norm(a - b)
         rotation[block] = _angle_between(A, B)
     return translation, rotation
@@ -147,14 +147,13 @@ def _turns(X, i, j):
     """Return the angles between the orientations i and j of X, radians."""
     turns = np.empty(len(i))
     for block in _blocks(len(i)):
-        P, Q = _columns_of_pairs(X, i[block], j[block])
+        ((P, Q),) = _columns_of_pairs([X], i[block], j[block])
         turns[block] = _angle_between(P[:-1], Q[:-1])
     return turns
 
 
-def _motions(X, i, j):
-    """Return the columns of inv(X[i]) @ X[j]: rotations (d, d, n) and translations (d, n)."""
-    P, Q = _columns_of_pairs(X, i, j)
+def _motions(P, Q):
+    """Return the columns of inv(P) @ Q: rotations (d, d, n) and translations (d, n)."""
     rotations = np.einsum("ikn,jkn->jin", P[:-1], Q[:-1])
     return rotations, np.einsum("ikn,kn->in", P[:-1], Q[-1] - P[-1])
 
@@ -163,9 +162,8 @@ def _angle_between(A, B):
     """Return the angles between rotations given by their columns, (d, d, n)."""
     half = np.minimum(_distance(A, B) / _chord(np.pi), 1)
     angle = 2 * np.arcsin(half)
-    # Near half a turn the arcsine has lost half of its digits.
-    flipped = np.flatnonzero(half > 0.99)
-    if len(flipped):
+    if half.max() > 0.99:  # near half a turn the arcsine has lost half of its digits
+        flipped = np.flatnonzero(half > 0.99)
         angle[flipped] = angle_of(np.einsum("kin,kjn->ijn", A[..., flipped], B[..., flipped]))
     return angle
 
@@ -175,13 +173,17 @@ def _chord(angle):
     return np.sqrt(8) * np.sin(angle / 2)
 
 
-def _columns_of_pairs(X, i, j):
-    """Return the columns of the poses i and those of the poses j."""
+def _columns_of_pairs(trajectories, i, j):
+    """Yield for each trajectory the columns of its poses i and those of its poses j."""
     start, stop = i[0], j.max() + 1
-    if stop - start > 2 * len(i):  # too far apart to share one copy
-        return _columns(X, _as_slice(i)), _columns(X, _as_slice(j))
-    columns = _columns(X, slice(start, stop))
-    return columns[..., _as_slice(i - start)], columns[..., _as_slice(j - start)]
+    near = stop - start <= 2 * len(i)  # then one copy serves both
+    i, j = (_as_slice(k - start if near else k) for k in (i, j))
+    for X in trajectories:
+        if near:
+            columns = _columns(X, slice(start, stop))
+            yield columns[..., i], columns[..., j]
+        else:
+            yield _columns(X, i), _columns(X, j)
 
 
 def _columns(X, k):

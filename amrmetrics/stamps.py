@@ -2,12 +2,10 @@
 
 import numpy as np
 
-from amrmetrics._arguments import as_numbers, as_poses, as_stamps
+from amrmetrics._arguments import BLOCK, as_numbers, as_poses, as_stamps
 from amrmetrics.errors import AmrError
 from amrmetrics.poses import inverse, planar_poses, rotation_angle
 
-# Stamps that are matched at a time: they stay in the processor's cache.
-BLOCK = 8192
 # Seconds over which a turn is measured: longer than noise, shorter than a robot's maneuver.
 SMOOTHING = 0.2
 # Samples of the resampled recordings, which bounds memory.

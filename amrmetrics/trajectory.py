@@ -309,13 +309,13 @@ def rpe(reference, estimate, delta=1, unit="frames", pairs="all", stamps=None):
     True
     """
     X, Y = as_pose_pair(reference, estimate)
-    i, j, lengths, left_out = find_pairs(X, delta, unit, pairs, stamps)
-    translation, rotation = pair_errors(X, Y, i, j)
+    found, lengths, left_out = find_pairs(X, delta, unit, pairs, stamps)
+    translation, rotation = pair_errors(X, Y, *found)
     of = f"delta {delta:g} {unit}, {pairs} pairs"
     return RelativeError(
         ErrorSummary(translation, "m", f"RPE translation, {of}"),
         ErrorSummary(rotation, "rad", f"RPE rotation, {of}"),
-        np.column_stack([i, j]),
+        found.T,
         lengths,
         left_out,
     )

@@ -40,8 +40,8 @@ RELATIONS = (metrics.PoseRelation.translation_part, metrics.PoseRelation.rotatio
 TARGETS = {
     "ATE of positions": (500, 100),
     "ATE of poses": (500, 100),
-    "RPE planar": (1500, 250),
-    "RPE spatial": (500, 250),
+    "RPE planar, 1 frame": (1500, 250),
+    "RPE spatial, 1 frame": (500, 250),
     "associate": (150, None),
 }
 

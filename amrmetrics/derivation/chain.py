@@ -287,11 +287,10 @@ class Derivation:
             )
         rows += [s.row() for s in self.steps]
         cells = "".join(
-            f"<tr><td>{what}</td><td>{html.escape(str(much))}</td></tr>"
-            for what, much in self.summary()
+            f"<td>{html.escape(f'{what}: {much}')}</td>" for what, much in self.summary()
         )
         items = "".join(f"<li>{html.escape(p)}</li>" for p in self.problems)
-        return f"<table>{''.join(rows)}</table><table>{cells}</table>" + (
+        return f"<table>{''.join(rows)}</table><table><tr>{cells}</tr></table>" + (
             f"<ul>{items}</ul>" if items else ""
         )
 
