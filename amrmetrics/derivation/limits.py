@@ -64,7 +64,8 @@ class _Watch:
             self.wire.release()
         while self.launched and not self.ended:
             time.sleep(0.0002)
-        self._inject(None)  # one that is still on its way must not arrive
+        if self.fired:
+            self._inject(None)  # one that is still on its way must not arrive
 
 
 def bounded(call, seconds, wall=None):
