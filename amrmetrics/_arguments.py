@@ -173,7 +173,7 @@ def as_positions(value, name):
             as_poses(array, name)  # says what is wrong
         array = array[:, :-1, -1]
     array = _in_rows(array, name, (2, 3), "positions")
-    if not _size(array) <= LARGEST:  # nor is NaN
+    if not np.vdot(array, array) <= LARGEST**2:  # nor is NaN; one fast pass for both
         _refuse_not_finite(array, name)
         _refuse_huge(array, name)
     return array
@@ -193,13 +193,14 @@ def _size(array):
 
 def as_stamps(value, name):
     """Return `value` as an (N,) array of strictly increasing seconds, N >= 1."""
-    array = as_numbers(value, name)
+    array = _as_reals(value, name)
     if array.ndim != 1:
         raise AmrError(f"{name} has shape {array.shape}; time stamps need shape (N,).")
     _with_samples(array, name)
-    backward = array[1:] <= array[:-1]
-    if backward.any():
-        k = int(np.argmax(backward))
+    forward = array[1:] > array[:-1]  # NaN is not, and infinity can only be first or last
+    if not (forward.all() and np.isfinite(array[[0, -1]]).all()):
+        _refuse_not_finite(array, name)
+        k = int(np.argmin(forward))
         what = "repeat" if array[k] == array[k + 1] else "go back in time"
         raise AmrError(
             f"{name} {what} at index {k + 1}: {array[k]:.6f} s comes before {array[k + 1]:.6f} s. "

@@ -164,32 +164,37 @@ def align(reference, estimate, mode="rigid"):
 
 
 def fit(p, q, mode):
-    """Return the Alignment of (N, d) positions and the (d, N) vectors that it leaves."""
+    """Return the Alignment of (N, d) positions and the (N,) squared distances that it leaves."""
     if mode not in MODES:
         raise AmrError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}.")
     n, d = p.shape
     if mode == "none":
-        left = np.ascontiguousarray((p - q).T)
-        return Alignment(np.eye(d), np.zeros(d), 1.0, _sum_of_squares(left), mode, n), left
-    p_mean, p = _center(p)
-    q_mean, q = _center(q)
-    for name, mean, centered in (("reference", p_mean, p), ("estimate", q_mean, q)):
-        _refuse_point(name, mean, centered)
+        squares = _squares((p - q).T)
+        return Alignment(np.eye(d), np.zeros(d), 1.0, float(squares.sum()), mode, n), squares
+    centered = np.empty((2, d, n))  # one piece of memory is had faster than two
+    p_mean, q_mean = _center(p, centered[0]), _center(q, centered[1])
+    p, q = centered
+    p_squares, q_squares = map(_sum_of_squares, centered)
+    _refuse_point("reference", p_mean, p_squares, n)
+    _refuse_point("estimate", q_mean, q_squares, n)
 
-    K = np.array([[x @ y for y in q] for x in p])
+    K = p @ q.T
     if d == 2 or mode == "yaw":
         R = np.eye(d)
         R[:2, :2], free = _planar_rotation(K)
         axis = np.eye(3)[2, :d]
     else:
         R, axis, free = _rotation(K)
-    _refuse_undetermined(p, q, R, axis, free, mode)
+    whole = np.sqrt(p_squares * q_squares)
+    if free < NEARLY_STRAIGHT * whole:
+        _refuse_undetermined(p, q, R, axis, free, whole, mode)
 
     # Umeyama's trace(D S) equals trace(R^T K): the part of K that the rotation captures.
-    scale = float(np.vdot(R, K) / _sum_of_squares(q)) if mode == "similarity" else 1.0
+    scale = float(np.vdot(R, K) / q_squares) if mode == "similarity" else 1.0
     p -= (scale * R) @ q
-    found = Alignment(R, p_mean - scale * R @ q_mean, scale, _sum_of_squares(p), mode, n)
-    return found, p
+    squares = _squares(p)
+    found = Alignment(R, p_mean - scale * R @ q_mean, scale, float(squares.sum()), mode, n)
+    return found, squares
 
 
 def _planar_rotation(K):
@@ -214,27 +219,28 @@ def _rotation(K):
     return U @ Vt, U[:, 0], sigma[-2] + sign * sigma[-1]
 
 
-def _center(x):
-    """Return the mean of (N, d) positions and a (d, N) copy without it."""
+def _center(x, centered):
+    """Write (N, d) positions without their mean to the (d, N) array, and return the mean."""
     # Subtracting the first sample before averaging keeps the digits that a mean of
     # map coordinates of 5e6 m would lose.
     first = x[0]
-    centered = x.T.copy()
-    centered -= first[:, None]
+    np.subtract(x.T, first[:, None], out=centered)
     shift = centered.mean(axis=1)
     centered -= shift[:, None]
-    return first + shift, centered
+    return first + shift
+
+
+def _squares(x):
+    return np.einsum("kn,kn->n", x, x)
 
 
 def _sum_of_squares(x):
     return float(np.vdot(x, x))
 
 
-def _refuse_point(name, mean, centered):
+def _refuse_point(name, mean, squares, n):
     """Raise if all positions coincide, up to the rounding of their coordinates."""
-    spread = max(centered.max(), -centered.min())
-    if spread <= 64 * np.finfo(float).eps * np.abs(mean).max():
-        n = centered.shape[1]
+    if np.sqrt(squares / n) <= 64 * np.finfo(float).eps * np.abs(mean).max():
         many = "a single position" if n == 1 else f"{n} positions that all coincide"
         raise DegenerateAlignmentError(
             f"{name} is {many}: any rotation about it fits equally well. Use data in which "
@@ -243,16 +249,13 @@ def _refuse_point(name, mean, centered):
         )
 
 
-def _refuse_undetermined(p, q, R, axis, free, mode):
+def _refuse_undetermined(p, q, R, axis, free, whole, mode):
     """Raise if turning the estimate further about `axis` hardly changes the residual.
 
     The cost of a turn by phi is 2 * free * (1 - cos phi), so `free` is compared with what
     it could be: the whole motion, and for a nearly straight path the motion sideways. There
     two unrelated noises still give free of order 1 / sqrt(n), hence the 4 / sqrt(n).
     """
-    whole = np.sqrt(_sum_of_squares(p) * _sum_of_squares(q))
-    if free >= NEARLY_STRAIGHT * whole:
-        return
     side = np.sqrt(_sum_of_squares(_sideways(p, axis)) * _sum_of_squares(_sideways(q, R.T @ axis)))
     straight = side < NEARLY_STRAIGHT * whole
     if free > UNDETERMINED * whole and not (

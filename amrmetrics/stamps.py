@@ -72,9 +72,9 @@ def _match(t, u, offset, limit):
         v, near = v - t[low] + offset, t[low : high + 1] - t[low]
         i = _nearest(near, v)
         j = np.flatnonzero(np.abs(near[i] - v) <= limit)
-        blocks.append(_one_to_one(t, u, offset, i[j] + low, j + start))
+        blocks.append((i[j] + low, j + start))
     i, j = map(np.concatenate, zip(*blocks, strict=True))
-    return _one_to_one(t, u, offset, i, j)  # across the ends of the blocks
+    return _one_to_one(t, u, offset, i, j)
 
 
 def _nearest(t, u):
@@ -82,8 +82,12 @@ def _nearest(t, u):
     # t[i] is the nearest of what lies in (edges[i], edges[i + 1]].
     edges = np.concatenate([[-np.inf], (t[1:] + t[:-1]) / 2, [np.inf]])
     # Two recordings at one rate advance together; what does not is searched for.
-    i = np.minimum(np.searchsorted(edges, u[0]) - 1 + np.arange(len(u)), len(t) - 1)
-    other = np.flatnonzero((u <= edges[i]) | (u > edges[i + 1]))
+    first = int(np.searchsorted(edges, u[0])) - 1
+    i = np.arange(first, first + len(u))
+    m = min(len(u), len(t) - first)
+    astray = np.ones(len(u), bool)
+    astray[:m] = (u[:m] <= edges[first:][:m]) | (u[:m] > edges[first + 1 :][:m])
+    other = np.flatnonzero(astray)
     i[other] = np.searchsorted(edges, u[other]) - 1
     return i
 

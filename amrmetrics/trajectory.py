@@ -4,13 +4,14 @@ Every result says how it was aligned, in which unit it is and over how many samp
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from amrmetrics._arguments import as_array, as_numbers, as_pose_pair, as_position_pair
 from amrmetrics.alignment import Alignment, fit
 from amrmetrics.errors import AmrError
-from amrmetrics.pairs import find_pairs, norm, orientation_errors, pair_errors, travelled
+from amrmetrics.pairs import find_pairs, orientation_errors, pair_errors, travelled
 from amrmetrics.poses import path_length
 
 KITTI_LENGTHS = (100, 200, 300, 400, 500, 600, 700, 800)
@@ -22,8 +23,8 @@ class ErrorSummary:
 
     Attributes
     ----------
-    series : (n,) array
-        The error of each sample or pair, not negative, in `unit`.
+    squares : (n,) array
+        The squared error of each sample or pair, in `unit` squared.
     unit : str
         "m" or "rad".
     of : str
@@ -34,21 +35,26 @@ class ErrorSummary:
         For the ATE of poses: the angle between the orientations after alignment.
     """
 
-    series: np.ndarray
+    squares: np.ndarray
     unit: str
     of: str
     alignment: Alignment | None = None
     rotation: "ErrorSummary | None" = None
 
+    @cached_property
+    def series(self):
+        """The error of each sample or pair, (n,) array, not negative, in `unit`."""
+        return np.sqrt(self.squares)
+
     @property
     def n(self):
         """Number of samples."""
-        return len(self.series)
+        return len(self.squares)
 
     @property
     def rmse(self):
         """Root of the mean square: large errors weigh most."""
-        return float(np.sqrt(np.mean(self.series**2)))
+        return float(np.sqrt(self.squares.mean()))
 
     @property
     def mean(self):
@@ -247,13 +253,13 @@ def ate(reference, estimate, align="rigid"):
     """
     arrays = as_array(reference, "reference"), as_array(estimate, "estimate")
     if any(array.ndim != 3 for array in arrays):
-        alignment, left = fit(*as_position_pair(*arrays), align)
-        return ErrorSummary(norm(left), "m", "ATE", alignment)
+        alignment, squares = fit(*as_position_pair(*arrays), align)
+        return ErrorSummary(squares, "m", "ATE", alignment)
     X, Y = as_pose_pair(*arrays)
-    alignment, left = fit(X[:, :-1, -1], Y[:, :-1, -1], align)
+    alignment, squares = fit(X[:, :-1, -1].copy(), Y[:, :-1, -1].copy(), align)
     angles = orientation_errors(X, Y, alignment.rotation)
-    rotation = ErrorSummary(angles, "rad", "ATE rotation", alignment)
-    return ErrorSummary(norm(left), "m", "ATE", alignment, rotation)
+    rotation = ErrorSummary(angles**2, "rad", "ATE rotation", alignment)
+    return ErrorSummary(squares, "m", "ATE", alignment, rotation)
 
 
 def rpe(reference, estimate, delta=1, unit="frames", pairs="all", stamps=None):
@@ -313,8 +319,8 @@ def rpe(reference, estimate, delta=1, unit="frames", pairs="all", stamps=None):
     translation, rotation = pair_errors(X, Y, *found)
     of = f"delta {delta:g} {unit}, {pairs} pairs"
     return RelativeError(
-        ErrorSummary(translation, "m", f"RPE translation, {of}"),
-        ErrorSummary(rotation, "rad", f"RPE rotation, {of}"),
+        ErrorSummary(translation**2, "m", f"RPE translation, {of}"),
+        ErrorSummary(rotation**2, "rad", f"RPE rotation, {of}"),
         found.T,
         lengths,
         left_out,
@@ -468,5 +474,5 @@ def pool(summaries):
         raise AmrError(f"summaries differ in what they measure ({found}); pool equal ones.")
     mean = np.mean([s.rmse for s in summaries])
     of = f"{summaries[0].of}, {len(summaries)} runs pooled (mean of the runs' rmse {mean:.6g})"
-    series = np.concatenate([s.series for s in summaries])
-    return ErrorSummary(series, summaries[0].unit, of, summaries[0].alignment)
+    squares = np.concatenate([s.squares for s in summaries])
+    return ErrorSummary(squares, summaries[0].unit, of, summaries[0].alignment)
