@@ -11,28 +11,8 @@ from amrmetrics._arguments import as_forecasts, as_numbers, as_rows
 from amrmetrics.errors import AmrError
 
 
-@dataclass(frozen=True)
-class Confusion:
-    """Counts and rates of a map cut at a threshold.
-
-    Attributes
-    ----------
-    tp, fp, fn, tn : int
-        Cells called occupied rightly and wrongly, called free wrongly and rightly.
-    threshold : float
-        A cell is called occupied if its probability is at least this.
-    """
-
-    tp: int
-    fp: int
-    fn: int
-    tn: int
-    threshold: float
-
-    @property
-    def n(self):
-        """Number of known cells."""
-        return self.tp + self.fp + self.fn + self.tn
+class _Rates:
+    """Rates of the counts tp, fp, fn and tn: numbers, or arrays over thresholds."""
 
     @property
     def precision(self):
@@ -62,7 +42,33 @@ class Confusion:
     @property
     def accuracy(self):
         """Part of all cells that are called right."""
-        return _ratio(self.tp + self.tn, self.n)
+        return _ratio(self.tp + self.tn, self.tp + self.fp + self.fn + self.tn)
+
+
+@dataclass(frozen=True)
+class Confusion(_Rates):
+    """Counts and rates of a map cut at a threshold.
+
+    Attributes
+    ----------
+    tp, fp, fn, tn : int
+        Cells called occupied rightly and wrongly, called free wrongly and rightly.
+    threshold : float
+        A cell is called occupied if its probability is at least this.
+    precision, recall, f1, iou, false_positive_rate, accuracy : float
+        Rates in [0, 1], nan where undefined.
+    """
+
+    tp: int
+    fp: int
+    fn: int
+    tn: int
+    threshold: float
+
+    @property
+    def n(self):
+        """Number of known cells."""
+        return self.tp + self.fp + self.fn + self.tn
 
     @property
     def undefined(self):
@@ -89,7 +95,7 @@ class Confusion:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ThresholdSweep:
+class ThresholdSweep(_Rates):
     """All cuts that a map allows, from the highest threshold to the lowest.
 
     Attributes
@@ -98,7 +104,7 @@ class ThresholdSweep:
         inf (nothing is called occupied), then each probability that occurs, decreasing.
     tp, fp, fn, tn : (K,) array of int
         Counts at each threshold.
-    precision, recall, f1, iou, false_positive_rate : (K,) array
+    precision, recall, f1, iou, false_positive_rate, accuracy : (K,) array
         Rates at each threshold, nan where undefined.
     """
 
@@ -107,31 +113,6 @@ class ThresholdSweep:
     fp: np.ndarray
     fn: np.ndarray
     tn: np.ndarray
-
-    @property
-    def precision(self):
-        """Part of the cells called occupied that are."""
-        return _ratio(self.tp, self.tp + self.fp)
-
-    @property
-    def recall(self):
-        """Part of the occupied cells that are called so."""
-        return _ratio(self.tp, self.tp + self.fn)
-
-    @property
-    def f1(self):
-        """Harmonic mean of precision and recall."""
-        return _ratio(2 * self.tp, 2 * self.tp + self.fp + self.fn)
-
-    @property
-    def iou(self):
-        """Intersection over union."""
-        return _ratio(self.tp, self.tp + self.fp + self.fn)
-
-    @property
-    def false_positive_rate(self):
-        """Part of the free cells that are called occupied."""
-        return _ratio(self.fp, self.fp + self.tn)
 
     def __repr__(self):
         k = int(np.nanargmax(self.iou)) if np.isfinite(self.iou).any() else 0
