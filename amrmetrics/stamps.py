@@ -10,6 +10,8 @@ from amrmetrics.poses import inverse, planar_poses, rotation_angle
 SMOOTHING = 0.2
 # Samples of the resampled recordings, which bounds memory.
 LONGEST = 4_000_000
+# Stamps matched at a time; one is a number where a pose is up to sixteen.
+STRETCH = 8 * BLOCK
 
 
 def associate(reference_stamps, estimate_stamps, max_difference=0.01, offset=0.0):
@@ -64,8 +66,8 @@ def _match(t, u, offset, limit):
     """Return the indices of matches between t and u + offset."""
     limit += 2 * np.spacing(np.abs([t[0], t[-1], u[0], u[-1]]).max())  # what rounding may add
     blocks = []
-    for start in range(0, len(u), BLOCK):
-        v = u[start : start + BLOCK]
+    for start in range(0, len(u), STRETCH):
+        v = u[start : start + STRETCH]
         low, high = np.searchsorted(t, v[[0, -1]] + offset)
         low = max(low - 1, 0)
         # Times since t[low] are short, so that their sums and halves are exact.
