@@ -38,6 +38,7 @@ class TestValue:
             (True, True),
             (np.True_, True),
             (float("nan"), float("nan")),
+            ((float("inf"), 2), (..., 2)),
         ],
     )
     def test_accepts_what_is_right(self, yours, expected):
