@@ -251,7 +251,7 @@ def derivation(lines, goal, *, given, domains, at_least=1, **rules):
     domains : dict of str to str
         What each symbol stands for, as in :class:`amrmetrics.derivation.Derivation`.
     at_least : int
-        How many lines the derivation takes if each makes one move.
+        How many lines with a form of their own the derivation takes if each makes one move.
     **rules
         Further arguments of Derivation, such as ``must_pass``. A notebook that shows a
         required form shows a line of the answer; `at_least` does not.
@@ -289,10 +289,10 @@ def derivation(lines, goal, *, given, domains, at_least=1, **rules):
     if not chain.complete:
         first = chain.problems[0]  # what follows it is often its consequence
         raise NotYet(_with_names(first, domains))
-    if len(chain.steps) < at_least:
+    if chain.moves < at_least:
         raise NotYet(
-            f"every line follows, but you leap: {len(chain.steps)} of at least {at_least} lines. "
-            "Make one move a line."
+            f"every line follows, but you leap: {chain.moves} of at least {at_least} lines bring "
+            "something new. Make one move a line."
         )
     return chain
 

@@ -336,8 +336,14 @@ class TestDerivation:
     def test_sees_a_leap(self):
         task = {**self.TASK, "at_least": 3, "must_pass": ()}
         text = message(check.derivation, list(self.LINES), **task)
-        assert text.startswith("every line follows, but you leap: 2 of at least 3 lines.")
-        check.derivation([self.LINES[0], "x**2 + x + x + 1", self.LINES[1]], **task)
+        assert text.startswith("every line follows, but you leap: 2 of at least 3 lines")
+        check.derivation([self.LINES[0], "x*(x + 2) + 1", self.LINES[1]], **task)
+
+    @pytest.mark.parametrize("padding", ["1*x*(x + 1) + x + 1 + 0", "(2*x*(x + 1) + 2*x + 2)/2"])
+    def test_does_not_count_padding(self, padding):
+        task = {**self.TASK, "at_least": 3, "must_pass": ()}
+        text = message(check.derivation, [self.LINES[0], padding, self.LINES[1]], **task)
+        assert "2 of at least 3 lines bring something new" in text
 
     @pytest.mark.parametrize("last", ["Eq(x, b - a)", "Eq(x, -(a - b))", "Eq((2*b - 2*a)/2, x)"])
     def test_an_equation_may_be_solved_in_any_form(self, last):

@@ -218,6 +218,15 @@ class Derivation:
         verdict = check_step(last, self.goal, self.domains, seed=self.seed)
         return verdict.status in ("proved", "sampled")
 
+    def _forms(self):
+        lines = [self.given, *[s.written for s in self.steps]]
+        return {form(w) for w in lines if w is not None}
+
+    @property
+    def moves(self):
+        """How many lines bring a new form; order, signs and sums of numbers make none."""
+        return len(self._forms()) - (self.given is not None)
+
     @property
     def problems(self):
         """What is missing or wrong, in words; empty if the derivation is complete."""
@@ -228,7 +237,7 @@ class Derivation:
             out += [f"line {s.number}: {n}" for n in s.notes]
         if not self.steps:
             return ["there are no lines yet"]
-        passed = [form(w) for w in [self.given, *[s.written for s in self.steps]] if w is not None]
+        passed = self._forms()
         for name, w in self.must_pass.items():
             if form(w) not in passed:
                 out.append(f"the chain leaps over a step: {name} is not among the lines")
