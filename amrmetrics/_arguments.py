@@ -217,6 +217,24 @@ def as_count(value, name):
     return int(number)
 
 
+def as_size(value, name, *shapes, sign="> 0"):
+    """Return finite numbers of one of the shapes (a single number if none is given)."""
+    number = as_numbers(value, name)
+    if number.shape not in (shapes or ((),)):
+        shapes = " or ".join(map(str, shapes)) or "a single number"
+        raise AmrError(f"{name} has shape {number.shape}; expected {shapes}.")
+    if not {"> 0": number > 0, ">= 0": number >= 0, "": np.True_}[sign].all():
+        raise AmrError(f"{name} is {value!r}; expected {sign}.")
+    return number
+
+
+def as_generator(rng):
+    """Return `rng` if it is what all randomness of the kit comes from."""
+    if not isinstance(rng, np.random.Generator):
+        raise AmrError(f"rng is {rng!r}; expected a numpy Generator, such as default_rng(4).")
+    return rng
+
+
 def as_array(value, name):
     try:
         return np.asarray(value)

@@ -164,3 +164,120 @@ def chi_square(ax, values, grid, density, name="NEES"):
     ax.plot(grid, density, **LOOK["theory"] | {"label": "chi-square density"})
     ax.set(xlabel=name, ylabel="density", xlim=(0, grid[-1]))
     ax.legend()
+
+
+def reliability_diagram(ax, forecast, frequency, count, lower=None, upper=None):
+    """Draw how often it was so against how likely it was said to be, and a strip of counts.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw; the strip hangs below and has the label of the common abscissa.
+    forecast, frequency : (B,) array
+        Mean forecast and frequency of the bins, in [0, 1]; bins that are nan are left out.
+    count : (B,) array
+        Cells per bin; drawn on a logarithmic scale.
+    lower, upper : (B,) array, optional
+        Interval of each frequency, drawn as a bar.
+    """
+    ax.plot([0, 1], [0, 1], **LOOK["theory"] | {"label": "calibrated"})
+    if lower is not None:
+        ax.vlines(forecast, lower, upper, color=LOOK["measured"]["color"], linewidth=1.2)
+    ax.plot(forecast, frequency, **LOOK["measured"])
+    ax.set(xlim=(-0.02, 1.02), ylim=(-0.02, 1.02), ylabel="frequency of occupied")
+    ax.tick_params(labelbottom=False)
+    ax.legend(loc="lower right")
+    strip = ax.inset_axes([0, -0.3, 1, 0.24], sharex=ax)
+    strip.bar(forecast, count, width=0.03, color=LOOK["bound"]["color"])
+    strip.set(yscale="log", xlabel="forecast", ylabel="cells", ylim=(0.5, None))
+    strip.minorticks_off()
+
+
+def threshold_sweep(ax, thresholds, mark=None, **rates):
+    """Draw rates of a map over the threshold at which it is cut.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    thresholds : (K,) array
+        Decreasing, in [0, 1] or inf, as `amrmetrics.threshold_sweep` gives them: a rate
+        holds from its threshold down to the next. That at inf, nothing called occupied, is
+        drawn from the largest probability up to 1.
+    mark : float, optional
+        A threshold to mark.
+    **rates : (K,) arrays
+        Under their names: precision, recall, f1, iou, ...; in [0, 1], gaps where nan.
+    """
+    thresholds = np.asarray(thresholds)
+    # No cut lies above a probability of 1.
+    shown = np.isfinite(thresholds) | (thresholds != 1).all()
+    x = np.concatenate([[0], np.minimum(thresholds, 1)[shown][::-1]])
+    for name, values in rates.items():
+        y = np.asarray(values)[shown][::-1]
+        label = {"f1": "F1", "iou": "IoU"}.get(name, name.replace("_", " "))
+        ax.plot(x, np.concatenate([y[:1], y]), drawstyle="steps-pre", label=label)
+    if mark is not None:
+        ax.axvline(mark, **LOOK["bound"] | {"label": f"threshold {mark:.3g}"})
+    ax.set(xlabel="threshold", ylabel="rate", xlim=(0, 1), ylim=(-0.02, 1.02))
+    ax.legend(frameon=True, edgecolor="none", framealpha=0.85)
+
+
+def grid_maps(axes, maps, extent, titles):
+    """Draw occupancy grids side by side on one scale from 0 (white) to 1 (black).
+
+    Parameters
+    ----------
+    axes : sequence of K matplotlib.axes.Axes
+        Where to draw; all in one figure.
+    maps : sequence of K (H, W) arrays
+        Truth first; probabilities of "occupied", rows y upward, columns x. Cells that are
+        nan are unknown and hatched.
+    extent : (4,) array
+        Left, right, bottom and top border of the grid, meters.
+    titles : sequence of K str
+        One for each.
+    """
+    gray = plt.get_cmap("gray_r").with_extremes(bad=(0, 0, 0, 0))
+    for ax, grid, title in zip(axes, maps, titles, strict=True):
+        ax.patch.set(facecolor="#DCEBF5", edgecolor=SKY, hatch="////", linewidth=0)
+        image = ax.imshow(
+            np.asarray(grid, dtype=float), gray, origin="lower", extent=extent, vmin=0, vmax=1,
+            interpolation="nearest",
+        )  # fmt: skip
+        ax.grid(False)
+        ax.set(title=title, xlabel="x [m]")
+    axes[0].set_ylabel("y [m]")
+    unknown = any(np.isnan(np.asarray(grid, dtype=float)).any() for grid in maps)
+    label = "p(occupied)" + "\nhatched: unknown" * unknown
+    axes[0].figure.colorbar(image, ax=axes, label=label, shrink=0.8)
+
+
+def point_maps(ax, reference, estimate, worst=None):
+    """Draw two point maps over each other, axes of equal scale.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    reference, estimate : (N, 2), (M, 2) array
+        Points in meters, in one frame.
+    worst : (int, int), optional
+        Indices of a point of `reference` and one of `estimate` to join, as the `worst` of
+        `amrmetrics.hausdorff` gives them.
+    """
+    reference, estimate = np.asarray(reference), np.asarray(estimate)
+    # The truth lies on top: it is thin, and would vanish below a good estimate.
+    dots = {"linestyle": "none", "marker": ".", "markersize": 2.5, "zorder": 3}
+    crosses = {"linestyle": "none", "marker": "x", "markersize": 2.5, "markeredgewidth": 0.6}
+    ax.plot(*reference.T, **LOOK["truth"] | dots)
+    ax.plot(*estimate.T, **LOOK["estimate"] | crosses)
+    if worst is not None:
+        ends = np.array([reference[worst[0]], estimate[worst[1]]])
+        label = f"worst pair, {np.linalg.norm(ends[1] - ends[0]):.2f} m"
+        pair = {"marker": "o", "markersize": 3, "zorder": 4, "label": label}
+        ax.plot(*ends.T, **LOOK["error"] | pair)
+    ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+    # Walls are everywhere: the legend goes below, clear of the label.
+    below = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "borderaxespad": 3.4}
+    ax.legend(**below, ncols=3, columnspacing=1, handletextpad=0.3, markerscale=2)

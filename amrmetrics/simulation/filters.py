@@ -1,135 +1,16 @@
-"""Seeded robots and what they measure: data whose truth is known.
-
-The source lesson's demonstration, which lecture 00 measures; and a planar robot among
-landmarks with filters that are consistent and filters that are not, for lecture 04.
-"""
+"""A planar robot among landmarks, and filters that are consistent or not (lecture 04)."""
 
 from time import perf_counter
 from typing import NamedTuple
 
 import numpy as np
 
-from amrmetrics._arguments import as_count, as_numbers, as_rows
+from amrmetrics._arguments import as_count, as_generator, as_rows, as_size
 from amrmetrics.errors import AmrError
 from amrmetrics.poses import planar_poses, positions, wrap, yaw
 
-SAMPLES = 200
-
 # Around the circle that the robot of `drive` follows by default, meters.
 LANDMARKS = ((6, 1), (5, 7), (0, 10), (-5, 8), (-7, 3), (-4, -3), (0, -2), (4, -4))
-
-
-class Demonstration(NamedTuple):
-    """One run of 20 s: a trajectory, a filter's errors, and a map, each with its truth.
-
-    Attributes
-    ----------
-    stamps : (N,) array
-        Seconds, N = 200.
-    truth, estimate : (N, 3, 3) array
-        Poses in the plane, meters; each trajectory in a world frame of its own.
-    errors : (N, 3) array
-        Pose errors x, y, heading of a filter; meters, meters, radians.
-    error_covariance : (3, 3) array
-        What the filter says about `errors`.
-    innovations : (N, 2) array
-        Measured minus predicted range and bearing; meters, radians.
-    innovation_covariance : (2, 2) array
-        What the filter says about `innovations`.
-    occupied : (80, 100) bool array
-        The true map: rows are y, columns are x.
-    probability : (80, 100) array
-        The estimated probability that a cell is occupied.
-    """
-
-    stamps: np.ndarray
-    truth: np.ndarray
-    estimate: np.ndarray
-    errors: np.ndarray
-    error_covariance: np.ndarray
-    innovations: np.ndarray
-    innovation_covariance: np.ndarray
-    occupied: np.ndarray
-    probability: np.ndarray
-
-
-def demonstration(seed=19):
-    """Draw the data of the source lesson's demonstration.
-
-    The filter is too cautious, on purpose here and unsaid in the source: its heading
-    error has a standard deviation of 1.0 degrees against the 1.1 that it states, its
-    innovations 0.08 m and 2.0 degrees against 0.1 m and 2.5 degrees.
-
-    Parameters
-    ----------
-    seed : int
-        In [0, 2**32 - 1]. The source lesson prints its numbers for 19.
-
-    Returns
-    -------
-    Demonstration
-        Its `errors` and `innovations` are drawn on their own; they are not the
-        differences of `truth` and `estimate`.
-
-    Raises
-    ------
-    ValueError
-        If `seed` is not an integer in that range.
-
-    Notes
-    -----
-    The only place in the kit that takes a seed instead of a ``Generator``: the golden
-    numbers come from NumPy's legacy ``RandomState``, which is frozen, drawn in the order
-    of the code below.
-
-    References
-    ----------
-    The source lesson, section on its demonstration; lecture 00 reproduces its numbers.
-
-    Examples
-    --------
-    >>> import amrmetrics as am
-    >>> run = am.simulation.demonstration()
-    >>> run.truth.shape, run.occupied.shape
-    ((200, 3, 3), (80, 100))
-    >>> round(am.align(run.truth, run.estimate).rmse, 7)
-    0.0732112
-    """
-    draw = np.random.RandomState(seed).randn
-
-    stamps = np.linspace(0, 20, SAMPLES)
-    xy = np.column_stack([0.5 * stamps, 2 * np.sin(0.4 * stamps)])
-    velocity = np.gradient(xy, stamps, axis=0)
-    heading = np.arctan2(velocity[:, 1], velocity[:, 0])
-
-    # The estimate lives in a frame that the transformation (turn, shift) takes to the truth's.
-    turn, shift = np.radians(7), np.array([1.5, -0.8])
-    R = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
-    drift = np.outer(stamps, [0.01, -0.004])
-    xy_hat = (xy - shift) @ R + drift + 0.03 * draw(SAMPLES, 2)
-    heading_hat = heading - turn + 0.01 * np.sin(0.2 * stamps) + 0.01 * draw(SAMPLES)
-
-    # One component after the other here, one sample after the other everywhere else.
-    errors = draw(3, SAMPLES).T * [0.05, 0.05, np.radians(1.0)]
-    innovations = draw(SAMPLES, 2) * [0.08, np.radians(2.0)]
-
-    y, x = np.mgrid[:80, :100]
-    disc = np.hypot(x - 40, y - 35) < 14
-    block = (x > 70) & (y > 10) & (y < 55)
-    occupied = disc | block
-    logit = -2.2 + 4.8 * occupied + 0.8 * draw(*occupied.shape)
-
-    return Demonstration(
-        stamps,
-        planar_poses(xy, heading),
-        planar_poses(xy_hat, heading_hat),
-        errors,
-        np.diag([0.05, 0.05, np.radians(1.1)]) ** 2,
-        innovations,
-        np.diag([0.1, np.radians(2.5)]) ** 2,
-        occupied,
-        1 / (1 + np.exp(-logit)),
-    )
 
 
 class Run(NamedTuple):
@@ -351,18 +232,17 @@ def drive(
     >>> run.truth.shape, run.measurements.shape
     ((3, 201, 3, 3), (3, 200, 8, 2))
     """
-    if not isinstance(rng, np.random.Generator):
-        raise AmrError(f"rng is {rng!r}; expected a numpy Generator, such as default_rng(4).")
+    as_generator(rng)
     landmarks = as_rows(landmarks, "landmarks", (2,), "landmarks")
     runs, steps = as_count(runs, "runs"), as_count(steps, "steps")
-    dt, max_range = _as_size(dt, "dt"), _as_size(max_range, "max_range")
-    speed = _as_size(speed, "speed", (), (steps,), sign="")
-    turn_rate = _as_size(turn_rate, "turn_rate", (), (steps,), sign="")
-    odometry_std = _as_size(odometry_std, "odometry_std", (2,), sign=">= 0")
-    measurement_std = _as_size(measurement_std, "measurement_std", (2,))
-    initial_std = _as_size(initial_std, "initial_std", (3,), sign=">= 0")
-    odometry_bias = _as_size(odometry_bias, "odometry_bias", (2,), sign="")
-    measurement_bias = _as_size(measurement_bias, "measurement_bias", (2,), sign="")
+    dt, max_range = as_size(dt, "dt"), as_size(max_range, "max_range")
+    speed = as_size(speed, "speed", (), (steps,), sign="")
+    turn_rate = as_size(turn_rate, "turn_rate", (), (steps,), sign="")
+    odometry_std = as_size(odometry_std, "odometry_std", (2,), sign=">= 0")
+    measurement_std = as_size(measurement_std, "measurement_std", (2,))
+    initial_std = as_size(initial_std, "initial_std", (3,), sign=">= 0")
+    odometry_bias = as_size(odometry_bias, "odometry_bias", (2,), sign="")
+    measurement_bias = as_size(measurement_bias, "measurement_bias", (2,), sign="")
 
     controls = np.empty((steps, 2))
     controls[:, 0], controls[:, 1] = speed, turn_rate
@@ -449,7 +329,7 @@ def ekf_localization(
     Q, R = _noise(run, process_scale, measurement_scale)
     mean = run.prior
     P = np.broadcast_to(
-        _as_size(prior_scale, "prior_scale") * run.prior_covariance, (len(mean), 3, 3)
+        as_size(prior_scale, "prior_scale") * run.prior_covariance, (len(mean), 3, 3)
     )
     log, states = _new_log(run, P), [mean]
     for k in range(len(run.controls)):
@@ -583,8 +463,8 @@ def _noise(run, process_scale=1.0, measurement_scale=1.0):
     """Return the covariances Q and R that a filter claims."""
     if not isinstance(run, Run):
         raise AmrError(f"run is of type {type(run).__name__}; expected what drive returns.")
-    Q = _as_size(process_scale, "process_scale") * np.diag(run.odometry_std**2)
-    R = _as_size(measurement_scale, "measurement_scale") * np.diag(run.measurement_std**2)
+    Q = as_size(process_scale, "process_scale") * np.diag(run.odometry_std**2)
+    R = as_size(measurement_scale, "measurement_scale") * np.diag(run.measurement_std**2)
     return Q, R
 
 
@@ -602,14 +482,3 @@ def _with_poses(log, states):
     states = np.stack(states, axis=1)
     poses = planar_poses(states[..., :2].reshape(-1, 2), states[..., 2].ravel())
     return log._replace(estimate=poses.reshape(*states.shape[:2], 3, 3))
-
-
-def _as_size(value, name, *shapes, sign="> 0"):
-    """Return finite numbers of one of the shapes (a single number if none is given)."""
-    number = as_numbers(value, name)
-    if number.shape not in (shapes or ((),)):
-        shapes = " or ".join(map(str, shapes)) or "a single number"
-        raise AmrError(f"{name} has shape {number.shape}; expected {shapes}.")
-    if not {"> 0": number > 0, ">= 0": number >= 0, "": np.True_}[sign].all():
-        raise AmrError(f"{name} is {value!r}; expected {sign}.")
-    return number
