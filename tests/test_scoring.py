@@ -5,6 +5,7 @@ import pytest
 import scoringrules
 from hypothesis import given
 from hypothesis import strategies as st
+from sklearn.calibration import calibration_curve
 from sklearn.metrics import brier_score_loss, log_loss
 
 import amrmetrics as am
@@ -24,6 +25,37 @@ def test_agree_with_scikit_learn_and_scoringrules(seed):
     assert float(am.brier(y, p)) == pytest.approx(brier_score_loss(y.ravel(), p.ravel()))
     assert float(am.cross_entropy(y, p)) == pytest.approx(scoringrules.log_score(y, p).mean())
     assert float(am.brier(y, p)) == pytest.approx(scoringrules.brier_score(y, p).mean())
+
+
+def test_scikit_learn_clips_where_this_is_infinite():
+    # What erratum E5 says of clipping: a sure falsehood gets a finite price there.
+    assert np.isfinite(log_loss([1, 0], [0.0, 0.5]))
+    assert am.cross_entropy([1, 0], [0.0, 0.5]).value == np.inf
+
+
+def test_weights_agree_with_scikit_learn(rng):
+    y, p = random_map(rng, (500,))
+    w = rng.random(500)
+    assert float(am.cross_entropy(y, p, weights=w)) == pytest.approx(
+        log_loss(y, p, sample_weight=w)
+    )
+    assert float(am.brier(y, p, weights=w)) == pytest.approx(
+        brier_score_loss(y, p, sample_weight=w)
+    )
+
+
+def test_agree_with_scikit_learn_on_the_maps_of_lecture_05(rng):
+    scans = am.simulation.scan_room(rng, steps=40)
+    logits = am.simulation.occupancy_grid(scans, hit=0.56, miss=0.45)
+    unknown = logits == 0
+    y, p = scans.occupied[~unknown], 1 / (1 + np.exp(-logits[~unknown]))
+    assert float(am.cross_entropy(scans.occupied, logits=logits, unknown=unknown)) == pytest.approx(
+        log_loss(y, p)
+    )
+    frequency, forecast = calibration_curve(y, p, n_bins=10)
+    m = am.murphy(y, p, 10)
+    assert m.frequency[m.count > 0] == pytest.approx(frequency)
+    assert m.forecast[m.count > 0] == pytest.approx(forecast)
 
 
 class TestCrossEntropy:
