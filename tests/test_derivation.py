@@ -248,6 +248,19 @@ def test_sympy_objects_and_text_give_the_same_chain():
     assert one.complete and two.complete
 
 
+@pytest.mark.parametrize(
+    ("line", "latex"),
+    [
+        ("1/(1-p)", r"\frac{1}{1 - p}"),
+        ("1/2*p", r"\frac{1}{2} p"),
+        ("11/p", r"\frac{11}{p}"),
+        ("p*1*2", r"p 1 \cdot 2"),
+    ],
+)
+def test_a_line_is_set_as_it_is_written(line, latex):
+    assert Derivation(line, domains={"p": "(0,1)"}).step(line).latex == latex
+
+
 def test_the_task_itself_is_checked():
     with pytest.raises(ValueError, match="goal cannot be read"):
         Derivation(goal="2x", domains=REAL)

@@ -1,6 +1,7 @@
 """A derivation as a chain of checked lines, from the given line to the goal."""
 
 import html
+import re
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -309,7 +310,10 @@ def _text(line):
 
 
 def typeset(w, as_written):
-    return sp.latex(w, order="none") if as_written else sp.latex(w)
+    if not as_written:
+        return sp.latex(w)
+    # SymPy keeps 1/x, as it is written, as the product of 1 and 1/x.
+    return re.sub(r"(?<![\d.])1 (\\cdot )?(?=\\frac\{1\})", "", sp.latex(w, order="none"))
 
 
 def key(w):
