@@ -319,6 +319,18 @@ class TestTestFunction:
         text = message(check.test_function, half, self.RIGHT, self.WRONG)
         assert text == "your test accepts an implementation that is constant."
 
+    def test_sees_a_test_that_only_counts(self):
+        seen = []
+
+        def counting(size):
+            size(-2)
+            seen.append(size)
+            if len(seen) > len(self.RIGHT):
+                raise AssertionError
+
+        text = message(check.test_function, counting, self.RIGHT, self.WRONG)
+        assert "rejects an implementation that is right" in text
+
 
 class TestDerivation:
     TASK = {
