@@ -4,7 +4,7 @@
     python3 course.py test [...]        run every test; pytest gets the other arguments
     python3 course.py release [FOLDER]  write exercises/ (or a new FOLDER) from solutions/
     python3 course.py refresh [...]     run lectures and solutions again and store what they show
-    python3 course.py bench [N ...]     time the library beside evo (minutes; 1000 10000 is short)
+    python3 course.py bench [N ...]     time the library beside others (minutes; 1000 10000: short)
     python3 course.py doctor            say what works on this machine, for whoever helps you
 
 On Windows, write `py` for `python3`. The first call sets up everything in the folder `.venv`
