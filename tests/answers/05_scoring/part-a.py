@@ -64,6 +64,22 @@ lines_rise = [
 ]
 enough = (False, False, True, True, False)
 
+# %% wrong: two lines copied from the lecture
+lines_slope = [
+    "(1-q)/(1-p) - q/p",
+    "(p-q)/(p*(1-p))",
+]
+lines_curvature = [
+    "(p*(1-p) - (p-q)*(1-2*p))/(p*(1-p))**2",
+    "(q*(1-p)**2 + (1-q)*p**2)/(p*(1-p))**2",
+    "q/p**2 + (1-q)/(1-p)**2",
+]
+lines_rise = [
+    "Gt(p - q, 0)",
+    "Gt(p, q)",
+]
+enough = (False, False, True, True, False)
+
 # %% wrong: padded with zeros and ones
 lines_slope = [
     "Derivative(-q*log(p) - (1-q)*log(1-p), p) + 0",
@@ -470,9 +486,10 @@ lines_rise = [
 ]
 enough = (False, False, True, True, False)
 
-# %% right: two moves each, the numerator multiplied out
+# %% right: the numerator multiplied out, two moves in the others
 lines_slope = [
     "-q/p + (1-q)/(1-p)",
+    "(-q*(1-p) + (1-q)*p)/(p*(1-p))",
     "(p - p*q - q + p*q)/(p*(1-p))",
     "(p-q)/(p*(1-p))",
 ]

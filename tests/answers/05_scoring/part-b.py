@@ -13,7 +13,7 @@ verdicts = ["improper"] * 5
 cheats = {name: (0.9, 0.75) for name in rules}
 w = "1/(2*(p*(1-p))**(3/2))"
 
-# %% wrong: a tie counts as a loss
+# %% wrong: a tie is overlooked
 verdicts = ["improper", "improper", "strict", "strict", "strict"]
 cheats = {"cubic": (0.9, 0.75), "cautious": (0.5, 0.8)}
 w = "1/(2*(p*(1-p))**(3/2))"
