@@ -8,6 +8,7 @@ import io
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib import patheffects
 
 # Okabe and Ito, Color Universal Design (2008); a test checks that every two stay apart
 # for the three common kinds of color blindness.
@@ -263,8 +264,8 @@ def point_maps(ax, reference, estimate, worst=None):
     reference, estimate : (N, 2), (M, 2) array
         Points in meters, in one frame.
     worst : (int, int), optional
-        Indices of a point of `reference` and one of `estimate` to join, as the `worst` of
-        `amrmetrics.hausdorff` gives them.
+        Indices of a point of `reference` and one of `estimate` to join and to ring, as the
+        `worst` of `amrmetrics.hausdorff` gives them.
     """
     reference, estimate = np.asarray(reference), np.asarray(estimate)
     # The truth lies on top: it is thin, and would vanish below a good estimate.
@@ -275,9 +276,14 @@ def point_maps(ax, reference, estimate, worst=None):
     if worst is not None:
         ends = np.array([reference[worst[0]], estimate[worst[1]]])
         label = f"worst pair, {np.linalg.norm(ends[1] - ends[0]):.2f} m"
-        pair = {"marker": "o", "markersize": 3, "zorder": 4, "label": label}
-        ax.plot(*ends.T, **LOOK["error"] | pair)
+        # A pair is much smaller than the map: a ring says where to look, a rim sets it off.
+        rim = [patheffects.withStroke(linewidth=5, foreground="black")]
+        pair = {"linewidth": 3, "zorder": 5, "path_effects": rim, "solid_capstyle": "round"}
+        ring = {"marker": "o", "markersize": 24, "markerfacecolor": "none", "markeredgewidth": 2}
+        ring |= {"linestyle": "none", "label": "_", "zorder": 4}
+        ax.plot(*ends.T, **LOOK["error"] | pair | {"label": label})
+        ax.plot(*ends.mean(axis=0), **LOOK["error"] | ring)
     ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
     # Walls are everywhere: the legend goes below, clear of the label.
     below = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "borderaxespad": 3.4}
-    ax.legend(**below, ncols=3, columnspacing=1, handletextpad=0.3, markerscale=2)
+    ax.legend(**below, ncols=3, columnspacing=1, handletextpad=0.6, markerscale=2)

@@ -188,8 +188,18 @@ class TestPointMaps:
         assert line(ax, "estimate").get_xydata().tolist() == Q.tolist()
         assert line(ax, "worst pair, 3.00 m").get_xydata().tolist() == [[2, 0], [2, 3]]
         assert ax.get_aspect() == 1
-        looks = {(x.get_marker(), x.get_color()) for x in ax.get_lines()}
+        looks = {(x.get_marker(), x.get_color()) for x in ax.get_lines()[:3]}
         assert len(looks) == 3
+
+    def test_worst_pair_is_ringed_on_top(self, ax):
+        P, Q = np.array([[0.0, 0], [1, 0], [20, 0]]), np.array([[0.0, 0.1], [1, 0.1], [20, 0.3]])
+        plotting.point_maps(ax, P, Q, am.hausdorff(P, Q).worst)
+        *maps, pair, ring = ax.get_lines()
+        assert ring.get_xydata().tolist() == [[20, 0.15]]
+        assert ring.get_markerfacecolor() == "none" and ring.get_markersize() > 20
+        assert ring.get_color() == pair.get_color() == plotting.LOOK["error"]["color"]
+        assert min(pair.zorder, ring.zorder) > max(line.zorder for line in maps)
+        assert ring.get_label().startswith("_")
 
     def test_without_worst_pair(self, ax):
         plotting.point_maps(ax, [[0, 0]], np.empty((0, 2)))

@@ -34,6 +34,15 @@ def catches_wrong_hausdorff(hausdorff):
     assert np.isclose(hausdorff(Q, P), right)
 
 
+# %% wrong: space only
+def catches_wrong_hausdorff(hausdorff):
+    rng = np.random.default_rng(0)
+    P, Q = rng.normal(size=(6, 3)), rng.normal(size=(9, 3))
+    right = max(cdist(P, Q).min(axis=1).max(), cdist(P, Q).min(axis=0).max())
+    assert np.isclose(hausdorff(P, Q), right)
+    assert np.isclose(hausdorff(Q, P), right)
+
+
 # %% wrong: distances along the axes only
 def catches_wrong_hausdorff(hausdorff):
     P, Q = [[0, 0, 0], [1, 0, 0]], [[0, 0, 0], [1, 0, 0], [0, 0, 4]]
@@ -87,13 +96,14 @@ def catches_wrong_hausdorff(hausdorff):
     Q = [[1, 2, 2], [0, 0, 50], [2, 3, 56]]
     assert abs(hausdorff(P, Q) - 7) < 1e-9
     assert abs(hausdorff(Q, P) - 7) < 1e-9
+    assert abs(hausdorff([[0, 0], [9, 9]], [[9, 9], [3, 4], [0, 0]]) - 5) < 1e-9
 
 
 # %% right: the smallest radius that covers both sets
 def catches_wrong_hausdorff(hausdorff):
     for seed in range(4):
-        rng = np.random.default_rng(seed)
-        P, Q = 9 * rng.random((5, 3)), 9 * rng.random((12, 3))
+        rng, d = np.random.default_rng(seed), 2 + seed % 2
+        P, Q = 9 * rng.random((5, d)), 9 * rng.random((12, d))
         for first, second in ((P, Q), (Q, P)):
             radius = float(hausdorff(first, second))
             for r, covered in ((radius * 1.001, True), (radius * 0.999, False)):
