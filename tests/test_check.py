@@ -349,9 +349,9 @@ class TestDerivation:
         task = {**self.TASK, "at_least": 3, "must_pass": ()}
         text = message(check.derivation, list(self.LINES), **task)
         assert text.startswith("every line follows, but you leap: 2 of at least 3 lines")
-        check.derivation([self.LINES[0], "x*(x + 2) + 1", self.LINES[1]], **task)
+        check.derivation([self.LINES[0], "x**2 + x + x + 1", self.LINES[1]], **task)
 
-    @pytest.mark.parametrize("padding", ["1*x*(x + 1) + x + 1 + 0", "(2*x*(x + 1) + 2*x + 2)/2"])
+    @pytest.mark.parametrize("padding", ["1*x*(x + 1) + x + 1 + 0", "1 + x + x*(1 + 0 + x)/1"])
     def test_does_not_count_padding(self, padding):
         task = {**self.TASK, "at_least": 3, "must_pass": ()}
         text = message(check.derivation, [self.LINES[0], padding, self.LINES[1]], **task)

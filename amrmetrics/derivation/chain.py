@@ -179,8 +179,7 @@ class Derivation:
             return False
 
     def _before(self):
-        lines = [self.given, *[s.written for s in self.steps]]
-        return next((w for w in lines[::-1] if w is not None), None)
+        return next(iter(self._lines()[::-1]), None)
 
     def _add(self, line, verdict, because, relation, lemma, notes, written):
         latex = "" if written is None else typeset(written, isinstance(line, str))
@@ -211,7 +210,7 @@ class Derivation:
     def _solved(self, last):
         """Whether the chain solves for the goal's unknown, and `last` says what the goal says."""
         x = solved_for(self.goal)
-        start = next(w for w in [self.given, *[s.written for s in self.steps]] if w is not None)
+        start = self._lines()[0]
         if x is None or solved_for(last) != x or solved_for(start) == x:
             return False
         if not operators(last) <= operators(self.goal):
@@ -219,14 +218,13 @@ class Derivation:
         verdict = check_step(last, self.goal, self.domains, seed=self.seed)
         return verdict.status in ("proved", "sampled")
 
-    def _forms(self):
-        lines = [self.given, *[s.written for s in self.steps]]
-        return {form(w) for w in lines if w is not None}
+    def _lines(self):
+        return [w for w in [self.given, *[s.written for s in self.steps]] if w is not None]
 
     @property
     def moves(self):
-        """How many lines bring a new form; order, signs and sums of numbers make none."""
-        return len(self._forms()) - (self.given is not None)
+        """How many lines are new; another order, an added 0 or a factor of 1 make none."""
+        return len({key(without_padding(w)) for w in self._lines()}) - (self.given is not None)
 
     @property
     def problems(self):
@@ -238,7 +236,7 @@ class Derivation:
             out += [f"line {s.number}: {n}" for n in s.notes]
         if not self.steps:
             return ["there are no lines yet"]
-        passed = self._forms()
+        passed = [form(w) for w in self._lines()]
         for name, w in self.must_pass.items():
             if form(w) not in passed:
                 out.append(f"the chain leaps over a step: {name} is not among the lines")
@@ -329,6 +327,21 @@ def key(w):
     elif isinstance(w, (sp.Add, sp.Mul, sp.Eq, sp.Max, sp.Min, sp.MatAdd, sp.And, sp.Or)):
         parts.sort(key=repr)
     return (w.func.__name__, *parts)
+
+
+def without_padding(w):
+    """`w` without added zeros and without factors of one."""
+
+    def leaf(x):
+        if isinstance(x, sp.Pow) and x.base == 1:
+            return x.base
+        if not isinstance(x, (sp.Add, sp.Mul)):
+            return None
+        neutral = sp.Integer(0 if isinstance(x, sp.Add) else 1)
+        rest = [a for a in map(without_padding, x.args) if a != neutral]
+        return x.func(*(rest or [neutral]), evaluate=False)
+
+    return rebuild(w, leaf)
 
 
 def solved_for(w):
