@@ -7,6 +7,7 @@ the result is one that a known mistake produces, names the mistake.
 
 import contextlib
 import copy
+import re
 import sys
 
 import numpy as np
@@ -221,6 +222,8 @@ def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()
 
     _require_answer(name, yours)
     _require_kind(name, yours, "text")
+    if re.search(r"(?<![=<>!])=(?!=)|^\s*Eq\(", yours):
+        raise NotYet(f"{name}: enter the right side alone, without an equals sign and a left side.")
     alone = check_step(yours, yours, domains)
     if alone.status == "unreadable":
         raise NotYet(f"{name} is {_with_names(alone.message, domains)}")
@@ -334,12 +337,13 @@ def wrong_line(number, corrected, lines, domains):
 
     _require_answer("the number of the line", number)
     _require_answer("the corrected line", corrected)
-    if not isinstance(number, int) or number not in range(2, len(lines) + 1):
+    if isinstance(number, bool) or np.ndim(number) or number not in range(2, len(lines) + 1):
         raise NotYet(
             f"the number of the line: a whole number from 2 to {len(lines)} is asked, you have "
             f"{_show(number)}. The first line is given."
         )
     _require_kind("the corrected line", corrected, "text")
+    number = int(number)
     above, given = lines[number - 2 : number]
     step = check_step(above, corrected, domains)
     if step.status != "unreadable":

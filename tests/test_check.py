@@ -193,6 +193,8 @@ class TestFormula:
             ("2*x y", "slope is unreadable"),
             ("2*z", "slope is unreadable: z is not declared. This part knows the names x, y only."),
             ("np.arctan2(y, x)", "slope is unreadable: write atan2, without np."),
+            ("slope = 2*x*y", "slope: enter the right side alone"),
+            ("Eq(slope, 2*x*y)", "slope: enter the right side alone"),
             ("Derivative(x**2*y, x)", "slope: Derivative still stands in your formula"),
             ("-2*x*y", "slope: -2*x*y is not right. It looks as if the sign is turned."),
             ("x*y", "it makes slope equal to 1 instead of 2."),
@@ -228,8 +230,9 @@ class TestWrongLine:
     DOMAINS = {"x": ">0", "y": ">0"}
 
     @pytest.mark.parametrize("line", ["x**2 + x*y", "y*x + x*x"])
-    def test_accepts_the_right_pair(self, line):
-        check.wrong_line(2, line, self.LINES, self.DOMAINS)
+    @pytest.mark.parametrize("number", [2, 2.0, np.int64(2)])
+    def test_accepts_the_right_pair(self, number, line):
+        check.wrong_line(number, line, self.LINES, self.DOMAINS)
 
     @pytest.mark.parametrize(
         ("number", "line", "says"),
@@ -239,7 +242,8 @@ class TestWrongLine:
             (1, "x**2", "a whole number from 2 to 4 is asked"),
             (5, "x**2", "a whole number from 2 to 4 is asked"),
             ("2", "x**2", "a whole number from 2 to 4 is asked"),
-            (2.0, "x**2", "a whole number from 2 to 4 is asked"),
+            (2.5, "x**2", "a whole number from 2 to 4 is asked"),
+            ([2], "x**2", "a whole number from 2 to 4 is asked"),
             (True, "x**2", "a whole number from 2 to 4 is asked"),
             (2, 5, "a string is asked"),
             (2, "2x", "unreadable"),

@@ -112,6 +112,7 @@ def test_a_vector_can_be_the_unknown():
         ("lambda*x", "lam"),
         ("sinn(x)", "did you mean sin"),
         ("z+1", "declare"),
+        ("q+1", "q is not declared; declare it"),
         ("x(y+1)", "product"),
         ("", "claims nothing|empty"),
         ("__import__('os')", "not declared|number"),

@@ -376,7 +376,7 @@ def _power(base, exponent):
 
 def _unknown(name, kinds):
     known = [*kinds, *FUNCTIONS, *RELATIONS, *SPECIAL, *CONSTANTS]
-    close = difflib.get_close_matches(name, known, 1, 0.6)
+    close = difflib.get_close_matches(name, known, 1, 0.6) if len(name) > 1 else []
     close = close or [k for k in known if k.lower() == name.lower()]
     ask = f"did you mean {close[0]}?" if close else "declare it in the domains"
     return f"{name[:40]} is not declared; {ask}"
