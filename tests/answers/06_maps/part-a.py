@@ -73,6 +73,26 @@ rates = (2 / 3, 1 / 2, 4 / 7, 2 / 5)
 distances = ...
 base_rate = "f/(r + f)"
 
+# %% wrong: Chamfer from the reference only
+rates = (2 / 3, 1 / 2, 4 / 7, 2 / 5)
+distances = (1.5, 12)
+base_rate = "f/(r + f)"
+
+# %% wrong: Chamfer from the estimate only
+rates = (2 / 3, 1 / 2, 4 / 7, 2 / 5)
+distances = (5, 12)
+base_rate = "f/(r + f)"
+
+# %% wrong: sums instead of means
+rates = (2 / 3, 1 / 2, 4 / 7, 2 / 5)
+distances = (18, 12)
+base_rate = "f/(r + f)"
+
+# %% wrong: an equation instead of a formula
+rates = (2 / 3, 1 / 2, 4 / 7, 2 / 5)
+distances = (6.5, 12)
+base_rate = "b = f/(r + f)"
+
 # %% right: by machine
 map_ = am.confusion(occupied, probability)
 rates = [map_.precision, map_.recall, map_.f1, map_.iou]
@@ -83,3 +103,9 @@ base_rate = "1/(1 + r/f)"
 rates = (0.667, 0.5, 0.571, 0.4)
 distances = [6.5, 12]
 base_rate = "1 - r/(f + r)"
+
+# %% right: the given names overwritten
+P, Q, occupied, probability = 1, 2, 3, 4
+rates = (2 / 3, 1 / 2, 4 / 7, 2 / 5)
+distances = (6.5, 12)
+base_rate = "f/(r + f)"

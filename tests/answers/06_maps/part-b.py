@@ -92,6 +92,14 @@ lines = [
 ]
 first, second = 0.5, 0.45
 
+# %% wrong: an IoU that is undefined
+lines = [
+    "1/(1 + u) + 1/(1 + v) - 4/(2 + u + v)",
+    "((2 + u + v)**2 - 4*(1 + u)*(1 + v))/((1 + u)*(1 + v)*(2 + u + v))",
+    "(u - v)**2/((1 + u)*(1 + v)*(2 + u + v))",
+]
+first, second = (np.nan, 0.5), (0.45, 0.45)
+
 # %% right: a common denominator at once
 lines = [
     "2*(u + v)/(2 + u + v) - u/(1 + u) - v/(1 + v)",
@@ -112,3 +120,11 @@ lines = [
     "(u-v)**2/((1+u)*(1+v)*(2+u+v))",
 ]
 first, second = (0.95, 0.2), (0.56, 0.57)
+
+# %% right: two differences, each with a factor u - v
+lines = [
+    "(1/(1 + u) - 2/(2 + u + v)) + (1/(1 + v) - 2/(2 + u + v))",
+    "(u - v)/(2 + u + v)*(1/(1 + v) - 1/(1 + u))",
+    "(u - v)**2/((1 + u)*(1 + v)*(2 + u + v))",
+]
+first, second = (0.1, 0.9), (0.45, 0.45)

@@ -111,6 +111,30 @@ def rates_at(occupied, probability, gamma):
     return tuple(t / n if n else np.nan for n in parts)
 
 
+# %% wrong: undefined as soon as one count is empty
+def rates_at(occupied, probability, gamma):
+    c = probability >= gamma
+    t = np.sum((occupied == 1) & c)
+    parts = np.sum(c), np.sum(occupied == 1), np.sum((occupied == 1) | c)
+    return tuple(t / n for n in parts) if all(parts) else (np.nan,) * 3
+
+
+# %% wrong: None for nan
+def rates_at(occupied, probability, gamma):
+    c = probability >= gamma
+    t = np.sum((occupied == 1) & c)
+    parts = np.sum(c), np.sum(occupied == 1), np.sum((occupied == 1) | c)
+    return tuple(t / n if n else None for n in parts)
+
+
+# %% wrong: lets the class of the library do it
+def rates_at(occupied, probability, gamma):
+    true, called = np.equal(occupied, 1), probability >= gamma
+    cells = true & called, called & ~true, true & ~called, ~true & ~called
+    c = am.Confusion(*(int(np.sum(x)) for x in cells), gamma)
+    return c.precision, c.recall, c.iou
+
+
 # %% right: loops and counts
 def rates_at(occupied, probability, gamma):
     tp = fp = fn = 0

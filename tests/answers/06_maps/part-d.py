@@ -8,7 +8,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: the symmetric distance
@@ -21,7 +21,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "b"
+usable = (False, True)
 
 
 # %% wrong: in cells
@@ -34,7 +34,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: cells of 0.1 m, whatever cell says
@@ -47,7 +47,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: the mean instead of the worst
@@ -60,7 +60,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: city blocks
@@ -74,7 +74,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: only cells that the map misses are averaged
@@ -88,7 +88,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: nothing occupied is called covered
@@ -103,7 +103,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: the value for map a
@@ -116,7 +116,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: erases the given map
@@ -131,7 +131,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: Chamfer decides
@@ -144,7 +144,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "b"
+usable = (False, True)
 
 
 # %% wrong: IoU decides
@@ -157,7 +157,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "both"
+usable = True, True
 
 
 # %% wrong: wants a map without errors
@@ -170,7 +170,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "neither"
+usable = [False, False]
 
 
 # %% wrong: a sentence
@@ -196,7 +196,7 @@ for m in (b, a):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: the table in cells
@@ -209,7 +209,7 @@ for m in (a, b):
     walls, mapped = np.argwhere(truth), np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: the table holds squared Chamfer
@@ -225,7 +225,7 @@ for m in (a, b):
         float(am.hausdorff(walls, mapped)),
     )
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% wrong: the table lists one map
@@ -238,7 +238,61 @@ for m in (a,):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
+
+
+# %% wrong: the table is rounded to too few digits
+def uncovered(occupied, called, cell):
+    return am.hausdorff(cell * np.argwhere(occupied), cell * np.argwhere(called)).forward
+
+
+table = [[0.81, 0.13, 2.4, 0.1], [0.81, 0.1, 0.5, 0.5]]
+usable = (True, False)
+
+
+# %% wrong: the table holds half of Chamfer
+def uncovered(occupied, called, cell):
+    return am.hausdorff(cell * np.argwhere(occupied), cell * np.argwhere(called)).forward
+
+
+table = [[0.811, 0.0659, 2.4, 0.1], [0.811, 0.0478, 0.5, 0.5]]
+usable = (True, False)
+
+
+# %% wrong: the last column looks from the map to the building
+def uncovered(occupied, called, cell):
+    return am.hausdorff(cell * np.argwhere(occupied), cell * np.argwhere(called)).forward
+
+
+table = [[0.811, 0.132, 2.4, 2.4], [0.811, 0.096, 0.5, 0.5]]
+usable = (True, False)
+
+
+# %% wrong: a flat table
+def uncovered(occupied, called, cell):
+    return am.hausdorff(cell * np.argwhere(occupied), cell * np.argwhere(called)).forward
+
+
+table = [0.811, 0.132, 2.4, 0.1, 0.811, 0.096, 0.5, 0.5]
+usable = (True, False)
+
+
+# %% wrong: no table
+def uncovered(occupied, called, cell):
+    return am.hausdorff(cell * np.argwhere(occupied), cell * np.argwhere(called)).forward
+
+
+table = []
+usable = (True, False)
+
+
+# %% wrong: the name of a map instead of two truth values
+def uncovered(occupied, called, cell):
+    return am.hausdorff(cell * np.argwhere(occupied), cell * np.argwhere(called)).forward
+
+
+table = [[0.811, 0.132, 2.4, 0.1], [0.811, 0.096, 0.5, 0.5]]
+usable = "A"
 
 
 # %% right: a distance transform
@@ -255,7 +309,7 @@ for m in (a, b):
     walls, mapped = 0.1 * np.argwhere(truth), 0.1 * np.argwhere(m)
     both = float(am.chamfer(walls, mapped)), float(am.hausdorff(walls, mapped))
     table.append((am.confusion(truth, m.astype(float)).iou, *both, uncovered(truth, m, 0.1)))
-usable = "a"
+usable = (True, False)
 
 
 # %% right: all pairs, and a table of numbers
@@ -268,4 +322,14 @@ def uncovered(occupied, called, cell):
 
 
 table = np.array([[0.81102, 0.131888, 2.4, 0.1], [0.81102, 0.0956522, 0.5, 0.5]])
-usable = "a"
+usable = (True, False)
+
+
+# %% right: rounded to three decimals, other names overwritten
+def uncovered(occupied, called, cell):
+    return am.hausdorff(cell * np.argwhere(occupied), cell * np.argwhere(called)).forward
+
+
+a, b, truth, P, Q, occupied = 1, 2, 3, 4, 5, 6
+table = [[0.811, 0.132, 2.4, 0.1], [0.811, 0.096, 0.5, 0.5]]
+usable = [True, False]
