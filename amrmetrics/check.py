@@ -430,7 +430,7 @@ def _require_kind(name, yours, expected):
     else:
         try:
             found = np.asarray(yours)
-            if found.dtype.kind in "bcSU":  # NumPy would read "2" as 2.0
+            if yours is None or found.dtype.kind in "bcSU":  # NumPy would read "2" as 2.0
                 raise TypeError
             found = found.astype(float)
         except (TypeError, ValueError):

@@ -68,6 +68,7 @@ class TestValue:
             (False, True, "False is not right"),
             ("no", "yes", "'no' is not right"),
             (object, 2, "numbers are asked"),
+            ((None, 2), (float("nan"), 2), "result 1: numbers are asked, you have None"),
         ],
     )
     def test_says_what_is_wrong(self, yours, expected, says):
