@@ -114,10 +114,10 @@ lines_rise = [
 ]
 enough = (False, False, True, True, False)
 
-# %% wrong: padded with p - p and 2/2
+# %% wrong: padded with a zero in the numerator and a one below
 lines_slope = [
-    "Derivative(-q*log(p) - (1-q)*log(1-p), p) + p - p",
-    "2*(p-q)/(2*p*(1-p))",
+    "(p-q+0)/(p*(1-p))",
+    "(p-q)/(1*p*(1-p))",
     "(p-q)/(p*(1-p))",
 ]
 lines_curvature = [
@@ -503,3 +503,51 @@ lines_rise = [
     "Gt(p, q)",
 ]
 enough = [False, False, True, True, False]
+
+# %% right: the numerator multiplied out in the second line
+lines_slope = [
+    "-q/p + (1-q)/(1-p)",
+    "(-q + q*p + p - q*p)/(p*(1-p))",
+    "(p-q)/(p*(1-p))",
+]
+lines_curvature = [
+    "Derivative((1-q)/(1-p) - q/p, p)",
+    "q/p**2 + (1-q)/(1-p)**2",
+]
+lines_rise = [
+    "Gt(p - q, 0)",
+    "Gt(p, q)",
+]
+enough = (False, False, True, True, False)
+
+# %% right: both fractions brought to the common denominator
+lines_slope = [
+    "(1-q)/(1-p) - q/p",
+    "p*(1-q)/(p*(1-p)) - q*(1-p)/(p*(1-p))",
+    "(p-q)/(p*(1-p))",
+]
+lines_curvature = [
+    "Derivative((1-q)/(1-p) - q/p, p)",
+    "q/p**2 + (1-q)/(1-p)**2",
+]
+lines_rise = [
+    "Gt(p - q, 0)",
+    "Gt(p, q)",
+]
+enough = (False, False, True, True, False)
+
+# %% right: begins with the inner derivative written out
+lines_slope = [
+    "-q/p - (1-q)/(1-p)*(-1)",
+    "(1-q)/(1-p) - q/p",
+    "(p-q)/(p*(1-p))",
+]
+lines_curvature = [
+    "Derivative((1-q)/(1-p) - q/p, p)",
+    "q/p**2 + (1-q)/(1-p)**2",
+]
+lines_rise = [
+    "Gt(p - q, 0)",
+    "Gt(p, q)",
+]
+enough = (False, False, True, True, False)

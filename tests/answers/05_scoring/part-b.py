@@ -140,6 +140,26 @@ verdicts = ["improper", "improper", "strict", "proper", "strict"]
 cheats = {"cubic": (0.9, 0.75), "cautious": (0.5, 0.8)}
 w = "2"
 
+# %% wrong: an added term looks like a tie
+verdicts = ["improper", "improper", "proper", "proper", "strict"]
+cheats = {"cubic": (0.9, 0.75), "cautious": (0.5, 0.8)}
+w = "1/(2*(p*(1-p))**(3/2))"
+
+# %% wrong: a word with a capital
+verdicts = ["Improper", "Improper", "strict", "proper", "strict"]
+cheats = {"cubic": (0.9, 0.75), "cautious": (0.5, 0.8)}
+w = "1/(2*(p*(1-p))**(3/2))"
+
+# %% wrong: one improper rule is let pass
+verdicts = ["improper", "proper", "strict", "proper", "strict"]
+cheats = {"cubic": (0.9, 0.75), "cautious": (0.5, 0.8)}
+w = "1/(2*(p*(1-p))**(3/2))"
+
+# %% wrong: the whole slope, with a negative power
+verdicts = ["improper", "improper", "strict", "proper", "strict"]
+cheats = {"cubic": (0.9, 0.75), "cautious": (0.5, 0.8)}
+w = "(p-q)*(p*(1-p))**(-3/2)/2"
+
 # %% right: other pairs, a tuple, roots
 verdicts = ("improper", "improper", "strict", "proper", "strict")
 cheats = {"cautious": (0.1, 4 * 0.1 / 1.3), "cubic": [0.2, 1 / 3]}

@@ -198,6 +198,40 @@ def map_score(occupied, probability, unknown):
     return -np.mean(np.log(p ** y * (1 - p) ** (~y - y)))
 
 
+# %% wrong: the range is tested before unknown cells are dropped
+def map_score(occupied, probability, unknown):
+    if unknown.all() or not np.all((probability >= 0) & (probability <= 1)):
+        raise ValueError("bad forecast")
+    p, y = probability[~unknown], occupied[~unknown]
+    return -np.mean(np.log(np.where(y, p, 1 - p)))
+
+
+# %% wrong: clipped at 1e-15
+def map_score(occupied, probability, unknown):
+    p, y = probability[~unknown], occupied[~unknown]
+    if p.size == 0 or not np.all((p >= 0) & (p <= 1)):
+        raise ValueError("bad forecast")
+    p = np.clip(p, 1e-15, 1 - 1e-15)
+    return -np.mean(np.where(y, np.log(p), np.log(1 - p)))
+
+
+# %% wrong: clipped at one percent
+def map_score(occupied, probability, unknown):
+    p, y = probability[~unknown], occupied[~unknown]
+    if p.size == 0 or not np.all((p >= 0) & (p <= 1)):
+        raise ValueError("bad forecast")
+    p = np.clip(p, 0.01, 0.99)
+    return -np.mean(np.where(y, np.log(p), np.log(1 - p)))
+
+
+# %% wrong: the mask the other way round
+def map_score(occupied, probability, unknown):
+    p, y = probability[~unknown], occupied[~unknown]
+    if p.size == 0 or not np.all((p >= 0) & (p <= 1)):
+        raise ValueError("bad forecast")
+    p, y = probability[unknown], occupied[unknown]
+    return -np.mean(np.log(np.where(y, p, 1 - p)))
+
 # %% right: a loop with math.log
 def map_score(occupied, probability, unknown):
     import math

@@ -118,6 +118,12 @@ fault = "underconfident"
 repaired = [m.uncertainty - m.resolution for m in (am.murphy(labels, A), am.murphy(labels, B))]
 keep = ...
 
+# %% wrong: another spelling
+reliability = [am.murphy(labels, p).reliability for p in (A, B)]
+fault = "under-confident"
+repaired = [m.uncertainty - m.resolution for m in (am.murphy(labels, A), am.murphy(labels, B))]
+keep = "A"
+
 # %% right: the repair carried out
 def bins(p):
     return np.minimum((p * 10).astype(int), 9)

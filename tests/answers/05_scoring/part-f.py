@@ -146,6 +146,49 @@ def catches_improper_rules(rule):
         assert np.all(np.delete(cost, k) > cost[k])
 
 
+# %% wrong: one q and two neighbors
+def catches_improper_rules(rule):
+    q = 0.005
+    f = lambda p: q * rule(p, 1) + (1 - q) * rule(p, 0)
+    assert f(0.004) > f(q) < f(0.006)
+
+
+# %% wrong: one q near 0, on a fine grid
+def catches_improper_rules(rule):
+    p = np.arange(1001) / 1000
+    cost = p[2] * rule(p, 1) + (1 - p[2]) * rule(p, 0)
+    assert np.all(np.delete(cost, 2) > cost[2])
+
+
+# %% wrong: one q near 1, on a fine grid
+def catches_improper_rules(rule):
+    p = np.arange(1001) / 1000
+    cost = p[995] * rule(p, 1) + (1 - p[995]) * rule(p, 0)
+    assert np.all(np.delete(cost, 995) > cost[995])
+
+
+# %% wrong: only q near the ends, on a fine grid
+def catches_improper_rules(rule):
+    p = np.arange(1001) / 1000
+    for k in (2, 5, 8, 992, 995, 998):
+        cost = p[k] * rule(p, 1) + (1 - p[k]) * rule(p, 0)
+        assert np.all(np.delete(cost, k) > cost[k])
+
+
+# %% wrong: all q up to 0.95, on a fine grid
+def catches_improper_rules(rule):
+    p = np.arange(1, 951) / 1000
+    for k, q in enumerate(p):
+        cost = q * rule(p, 1) + (1 - q) * rule(p, 0)
+        assert np.all(np.delete(cost, k) > cost[k])
+
+
+# %% wrong: many q, but their neighbors only
+def catches_improper_rules(rule):
+    for q in np.arange(2, 999, 3) / 1000:
+        cost = [q * rule(p, 1) + (1 - q) * rule(p, 0) for p in (q - 1e-4, q, q + 1e-4)]
+        assert cost[0] > cost[1] < cost[2]
+
 # %% right: argmin and the second best on a fine grid
 def catches_improper_rules(rule):
     p = np.linspace(0.0005, 0.9995, 2000)
