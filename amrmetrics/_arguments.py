@@ -259,7 +259,7 @@ def as_forecasts(occupied, probability, unknown=None, weights=None):
     The last item is the array of flat indices of those cells in the map.
     """
     labels = as_labels(occupied, "occupied")
-    p = as_numbers(probability, "probability")
+    p = as_cells(probability, "probability", unknown)
     if p.shape != labels.shape:
         raise AmrError(
             f"occupied has shape {labels.shape} and probability {p.shape}; they must be equal, "
@@ -272,6 +272,15 @@ def as_forecasts(occupied, probability, unknown=None, weights=None):
             "Log-odds are passed as logits to cross_entropy."
         )
     return known_cells(labels, p, unknown, weights)
+
+
+def as_cells(value, name, unknown):
+    """Return finite doubles, one per cell; what stands in unknown cells, often nan, becomes 0."""
+    array = _as_reals(value, name)
+    if unknown is not None and np.shape(unknown) == array.shape:
+        array = np.where(as_labels(unknown, "unknown"), 0.0, array)
+    _refuse_not_finite(array, name)
+    return array
 
 
 def as_labels(value, name):

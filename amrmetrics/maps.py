@@ -173,7 +173,7 @@ def confusion(occupied, probability, threshold=0.5, *, unknown=None):
     threshold : float
         A cell is called occupied if its probability is at least this; in [0, 1].
     unknown : array of bool, optional
-        Cells to leave out.
+        Cells to leave out, whatever is said of them, nan included.
 
     Returns
     -------
@@ -219,7 +219,7 @@ def threshold_sweep(occupied, probability, *, unknown=None):
     probability : array
         Probability of "occupied", same shape, in [0, 1].
     unknown : array of bool, optional
-        Cells to leave out.
+        Cells to leave out, whatever is said of them, nan included.
 
     Returns
     -------

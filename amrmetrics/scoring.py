@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from amrmetrics._arguments import as_forecasts, as_labels, as_numbers, known_cells
+from amrmetrics._arguments import as_cells, as_forecasts, as_labels, as_numbers, known_cells
 from amrmetrics.errors import AmrError
 
 
@@ -102,7 +102,7 @@ def cross_entropy(
     logits : array, optional
         Log-odds log(p / (1 - p)) instead of `probability`, any size: 1000 is no overflow.
     unknown : array of bool, optional
-        Cells to leave out.
+        Cells to leave out, whatever is said of them, nan included.
     weights : array, optional
         Weight per cell, >= 0, for example its area.
     unit : {"nats", "bits"}
@@ -142,7 +142,7 @@ def cross_entropy(
         with np.errstate(divide="ignore"):
             loss = -np.where(y, np.log(p), np.log1p(-p))
     else:
-        labels, a = as_labels(occupied, "occupied"), as_numbers(logits, "logits")
+        labels, a = as_labels(occupied, "occupied"), as_cells(logits, "logits", unknown)
         if a.shape != labels.shape:
             raise AmrError(f"occupied has shape {labels.shape} and logits {a.shape}; not equal.")
         y, a, w, cells = known_cells(labels, a, unknown, weights)
@@ -164,7 +164,7 @@ def brier(occupied, probability, *, unknown=None, weights=None):
     probability : array
         Probability of "occupied", same shape, in [0, 1].
     unknown : array of bool, optional
-        Cells to leave out.
+        Cells to leave out, whatever is said of them, nan included.
     weights : array, optional
         Weight per cell, >= 0.
 
@@ -207,7 +207,7 @@ def murphy(occupied, probability, bins=10, *, unknown=None, weights=None):
     bins : int or (B + 1,) array
         Number of equal bins of [0, 1], or increasing limits from 0 to 1.
     unknown : array of bool, optional
-        Cells to leave out.
+        Cells to leave out, whatever is said of them, nan included.
     weights : array, optional
         Weight per cell, >= 0.
 

@@ -92,6 +92,19 @@ class TestCrossEntropy:
     def test_logits_do_not_overflow(self):
         assert am.cross_entropy([1, 0], logits=[1000, 1000]).value == pytest.approx(500)
 
+    def test_what_stands_in_unknown_cells_does_not_matter(self):
+        unknown = np.array([False, True, True])
+        p = [0.25, np.nan, 7.0]
+        assert am.brier([1, 0, 1], p, unknown=unknown).value == 0.75**2
+        assert am.cross_entropy([1, 0, 1], p, unknown=unknown).value == pytest.approx(np.log(4))
+        assert am.cross_entropy([1, 0, 1], logits=[0, np.nan, np.inf], unknown=unknown).n == 1
+        assert am.murphy([1, 0, 1], p, unknown=unknown).brier == 0.75**2
+        assert am.confusion([1, 0, 1], p, 0.2, unknown=unknown).tp == 1
+        with pytest.raises(am.AmrError, match="NaN or infinite"):
+            am.brier([1, 0, 1], p, unknown=[False, False, True])
+        with pytest.raises(am.AmrError, match=r"probability\[2\] is 7"):
+            am.brier([1, 0, 1], p, unknown=[False, True, False])
+
     def test_unknown_and_weights(self, rng):
         y, p = random_map(rng)
         unknown = rng.random(y.shape) < 0.3
