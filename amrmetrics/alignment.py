@@ -221,13 +221,15 @@ def _rotation(K):
 
 def _center(x, centered):
     """Write (N, d) positions without their mean to the (d, N) array, and return the mean."""
-    # Subtracting the first sample before averaging keeps the digits that a mean of
-    # map coordinates of 5e6 m would lose.
-    first = x[0]
-    np.subtract(x.T, first[:, None], out=centered)
-    shift = centered.mean(axis=1)
-    centered -= shift[:, None]
-    return first + shift
+    centered[:] = x.T
+    mean = centered.mean(axis=1)
+    centered -= mean[:, None]
+    # Far from the origin, as map coordinates of 5e6 m are, the mean has lost digits: once more.
+    if np.abs(mean).max() > 1e3 * np.abs(x[0] - mean).max():
+        rest = centered.mean(axis=1)
+        centered -= rest[:, None]
+        mean += rest
+    return mean
 
 
 def _squares(x):
