@@ -167,7 +167,7 @@ def chi_square(ax, values, grid, density, name="NEES"):
     ax.legend()
 
 
-def reliability_diagram(ax, forecast, frequency, count, lower=None, upper=None):
+def reliability_diagram(ax, forecast, frequency, count):
     """Draw how often it was so against how likely it was said to be, and a strip of counts.
 
     Parameters
@@ -178,12 +178,8 @@ def reliability_diagram(ax, forecast, frequency, count, lower=None, upper=None):
         Mean forecast and frequency of the bins, in [0, 1]; bins that are nan are left out.
     count : (B,) array
         Cells per bin; drawn on a logarithmic scale.
-    lower, upper : (B,) array, optional
-        Interval of each frequency, drawn as a bar.
     """
     ax.plot([0, 1], [0, 1], **LOOK["theory"] | {"label": "calibrated"})
-    if lower is not None:
-        ax.vlines(forecast, lower, upper, color=LOOK["measured"]["color"], linewidth=1.2)
     ax.plot(forecast, frequency, **LOOK["measured"])
     ax.set(xlim=(-0.02, 1.02), ylim=(-0.02, 1.02), ylabel="frequency of occupied")
     ax.tick_params(labelbottom=False)

@@ -117,11 +117,6 @@ class TestReliabilityDiagram:
         assert strip.get_yscale() == "log" and strip.get_xlabel() == "forecast"
         assert strip.get_xlim() == ax.get_xlim()
 
-    def test_interval(self, ax):
-        plotting.reliability_diagram(ax, [0.2, 0.7], [0.3, 0.6], [50, 9], [0.2, 0.3], [0.4, 0.9])
-        ends = [path.vertices.tolist() for path in ax.collections[0].get_paths()]
-        assert ends == [[[0.2, 0.2], [0.2, 0.4]], [[0.7, 0.3], [0.7, 0.9]]]
-
 
 class TestThresholdSweep:
     @pytest.mark.parametrize("largest", [0.9, 1.0])
