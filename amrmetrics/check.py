@@ -247,17 +247,20 @@ def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()
     )
 
 
-def derivation(lines, goal, *, given, domains, at_least=1, **rules):
+def derivation(lines, goal, *, given, domains=None, declared=None, at_least=1, **rules):
     """Check a derivation that was entered line by line.
 
     Parameters
     ----------
-    lines : list of str
-        The student's lines, without the given one.
+    lines : str or list
+        The student's lines, without the given one: a text in the written form, in which signs and
+        reasons may be left out, or a list of lines or of pairs (line, reason).
     goal, given : str
         The last line and the one to start from.
-    domains : dict of str to str
+    domains : dict of str to str, optional
         What each symbol stands for, as in :class:`amrmetrics.derivation.Derivation`.
+    declared : amrmetrics.derivation.written.Declaration, optional
+        What `declare` returned, instead of `domains`.
     at_least : int
         How many lines with a form of their own the derivation takes if each makes one move.
     **rules
@@ -286,23 +289,36 @@ def derivation(lines, goal, *, given, domains, at_least=1, **rules):
     from amrmetrics.derivation import Derivation
 
     _require_answer("the derivation", lines)
-    if not isinstance(lines, list | tuple):
-        raise NotYet(f"a list of lines is asked, one string each; you have {_show(lines)}.")
-    lines = [line for line in lines if line is not ...]
-    if not lines:
-        raise NotYet("the derivation: there is no answer yet. Enter one string per line.")
-    for number, line in enumerate(lines, 1):
-        _require_kind(f"line {number}", line, "text")
-    chain = Derivation(goal, given=given, domains=domains, **rules).check(lines)
+    lines = _lines_of(lines)
+    names = domains if declared is None else declared
+    chain = Derivation(goal, given=given, domains=names, **rules).check(lines)
     if not chain.complete:
         first = chain.problems[0]  # what follows it is often its consequence
-        raise NotYet(_with_names(first, domains))
+        raise NotYet(_with_names(first, getattr(names, "names", names)))
     if chain.moves < at_least:
         raise NotYet(
             f"every line follows, but you leap: {chain.moves} of at least {at_least} lines bring "
             "something new. Make one move a line."
         )
     return chain
+
+
+def _lines_of(lines):
+    """Return the lines of a derivation as they were entered, without the dots of the exercise."""
+    if isinstance(lines, str):
+        entered = [line for line in lines.splitlines() if line.strip(" .")]
+    elif isinstance(lines, list | tuple | np.ndarray):
+        entered = [line for line in lines if line is not ...]
+    else:
+        raise NotYet(f"a list of lines is asked, one string each; you have {_show(lines)}.")
+    if not entered:
+        raise NotYet("the derivation: there is no answer yet. Enter one line per row or string.")
+    for number, line in enumerate(entered, 1):
+        pair = isinstance(line, tuple | list) and len(line) == 2
+        text = line[0] if pair else line
+        if not hasattr(text, "free_symbols"):  # SymPy's objects are lines as well
+            _require_kind(f"line {number}", text, "text")
+    return lines if isinstance(lines, str) else entered
 
 
 def wrong_line(number, corrected, lines, domains):

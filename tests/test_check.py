@@ -4,10 +4,12 @@ import re
 
 import numpy as np
 import pytest
+from sympy.parsing.sympy_parser import parse_expr
 
 import amrmetrics as am
 from amrmetrics import check
 from amrmetrics.check import NotYet
+from amrmetrics.derivation import declare
 
 
 def message(call, *arguments, **options):
@@ -356,6 +358,28 @@ class TestDerivation:
         assert text.startswith("every line follows, but you leap: 2 of at least 3 lines")
         check.derivation([self.LINES[0], "x**2 + x + x + 1", self.LINES[1]], **task)
 
+    @pytest.mark.parametrize(
+        "lines",
+        [
+            "= x*(x + 1) + x + 1  # multiply out\n = x**2 + 2*x + 1  # collect",
+            "(x + 1)**2\n = x*(x + 1)\n   + x + 1\n = x**2 + 2*x + 1",
+            "x*(x + 1) + x + 1\nx**2 + 2*x + 1",
+            ["= x*(x + 1) + x + 1  # multiply out", "= x**2 + 2*x + 1"],
+            [("x*(x + 1) + x + 1", "multiply out"), ["x**2 + 2*x + 1", ""]],
+            ["x*(x + 1) + x + 1", parse_expr("x**2 + 2*x + 1")],
+            np.array(["x*(x + 1) + x + 1", "x**2 + 2*x + 1"]),
+        ],
+    )
+    def test_lines_may_be_entered_in_many_ways(self, lines):
+        chain = check.derivation(lines, **self.TASK, at_least=2)
+        assert chain.complete and chain.moves == 2
+
+    def test_lines_may_use_what_is_declared(self):
+        derive = declare("x real\n y := x + 1")
+        task = {"goal": "x**2 + 2*x + 1", "given": "y**2", "declared": derive}
+        check.derivation("= x*y + y\n = x**2 + 2*x + 1", **task, at_least=2)
+        assert "names x, y only" in message(check.derivation, "= x*y + z", **task)
+
     @pytest.mark.parametrize("padding", ["1*x*(x + 1) + x + 1 + 0", "1 + x + x*(1 + 0 + x)/1"])
     def test_does_not_count_padding(self, padding):
         task = {**self.TASK, "at_least": 3, "must_pass": ()}
@@ -388,7 +412,14 @@ class TestDerivation:
             (["x*(x + 1) + z"], "z is not declared. This part knows the names x only."),
             (..., "no answer yet"),
             (None, "no answer yet"),
-            ("x**2 + 2*x + 1", "a list of lines is asked"),
+            ("...", "no answer yet"),
+            ("  \n", "no answer yet"),
+            (7, "a list of lines is asked"),
+            ("x**2 + 2*x + 1", "one bracket"),
+            ("= x*(x + 1) + x + 1  # out\n = x**2 + 1  # add", "line 2"),
+            ("<=> x*(x + 1) + x + 1\n < x**2 + 2*x + 2", "task asks ="),
+            ("x*(x + 1) + x + 1\n => x**2 + 2*x + 1", "⇒ stands between two formulas"),
+            ([("x*(x + 1) + x + 1", "out"), ("x**2 + 2*x", "add")], "line 2"),
             (["x**2 + 2*x + 1"], "one bracket"),
             (["x*(x + 1) + x + 1"], "goal"),
             (["x*(x + 1) + x + 1", "x**2 + 1", "x**2 + 2*x + 1"], "line 2"),

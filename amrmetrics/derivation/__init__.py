@@ -33,7 +33,7 @@ proofs, false accusations and times over five seeds, with mutants, rewrites and 
 
 from .checking import Verdict, check_step
 
-__all__ = ["Derivation", "Verdict", "check_step"]
+__all__ = ["Derivation", "Verdict", "check_step", "declare"]
 
 
 def __getattr__(name):
@@ -41,4 +41,8 @@ def __getattr__(name):
         from .chain import Derivation
 
         return Derivation
+    if name == "declare":
+        from .written import declare
+
+        return declare
     raise AttributeError(name)

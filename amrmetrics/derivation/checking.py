@@ -1,22 +1,17 @@
-"""One step: read, conditions, refute, prove."""
+"""One step: read, collect the conditions, look for a counterexample, look for a proof."""
 
-import threading
-import time
 from dataclasses import dataclass, field
-from functools import partial
 
-import mpmath
 import sympy as sp
 
 from . import feedback
-from .conditions import conditions
-from .domains import Domain
+from .domains import make
 from .limits import bounded
-from .proving import Model, equation_proved, inequality_proved, positive, vanishes
-from .reading import Unreadable, is_claim, is_matrix, read
-from .refuting import Search
+from .proving import Model, conditions, proved
+from .reading import Unreadable, apart, is_claim, is_matrix, read, scalar
+from .searching import Search
 
-_one_at_a_time = threading.RLock()
+FEW = 3  # points at which integrals and limits are evaluated before a proof is looked for
 RELATIONS = ("iff", "implies", "implied_by")
 MARKS = {"proved": "✓", "sampled": "≈", "refuted": "✗", "undecided": "?", "unreadable": "!"}
 
@@ -52,7 +47,8 @@ def check_step(before, after, domains, relation="iff", unknown=None, seed=0):
         whether the claim `after` holds on the whole domain.
     domains : dict of str to str
         By name: ``real nonzero >0 >=0 angle (a,b) int>=k seq index function vec2 vec3 spd2 spd3
-        chol2 rot se2``.
+        chol2 rot se2``, or in words, such as ``positive sequence``. An ``index`` is a place in the
+        sequences of the line: from 1 to the size that its sums have.
     relation : {"iff", "implies", "implied_by"}
         Between equations: same solutions, none lost, none gained.
     unknown : str, optional
@@ -64,6 +60,11 @@ def check_step(before, after, domains, relation="iff", unknown=None, seed=0):
     -------
     Verdict
 
+    Raises
+    ------
+    ValueError
+        If `relation` is none of the three.
+
     Examples
     --------
     >>> check_step("x*y/x", "y", {"x": "real", "y": "real"})
@@ -71,46 +72,35 @@ def check_step(before, after, domains, relation="iff", unknown=None, seed=0):
     """
     if relation not in RELATIONS:
         raise ValueError(f"relation is {relation!r}; use one of {', '.join(RELATIONS)}")
-    with _one_at_a_time, mpmath.workprec(53):  # the precision of mpmath is global
-        return _check(before, after, domains, relation, unknown, seed)
-
-
-def _check(before, after, domains, relation, unknown, seed):
     try:
-        finished, step = bounded(
-            lambda: _Step(before, after, domains, relation, unknown, seed), 0.8, 1.2
-        )
+        finished, step = bounded(lambda: Step(before, after, domains, relation, unknown, seed), 0.8)
         if not finished:
-            return Verdict("unreadable", "unreadable: the line is too complicated to read")
-        return step.verdict()
+            raise Unreadable("the line is too complicated to read")
     except Unreadable as error:
         return Verdict("unreadable", f"unreadable: {error}")
-    except Exception as error:  # a library gave up on this line: that is no verdict on the student
-        return Verdict(
-            "undecided", f"undecided: the line is too complicated ({type(error).__name__})"
-        )
+    return step.verdict()
 
 
-class _Step:
+class Step:
+    """Two lines that have been read, and what is asked about them."""
+
     def __init__(self, before, after, domains, relation, unknown, seed):
-        self.end = time.monotonic() + 8.5
-        domains = {str(n): Domain(str(n), t) for n, t in dict(domains).items()}
-        kinds = {n: d.kind for n, d in domains.items()}
-        self.model = Model(domains)
+        texts = {str(n): str(t) for n, t in dict(domains).items()}
+        self.domains = {n: make(n, t, tuple(texts)) for n, t in texts.items()}
+        kinds = {n: d.kind for n, d in self.domains.items()}
         empty = before is None or (isinstance(before, str) and not before.strip())
-        self.after = read(after, kinds)
-        self.before = None if empty else read(before, kinds)
-        self.relation, self.seed = relation, seed
+        self.after = apart(read(after, kinds))
+        self.before = None if empty else apart(read(before, kinds))
+        self.relation = relation
         self.unknown = None if unknown is None else str(unknown)
-        if self.unknown is not None and self.unknown not in domains:
+        if self.unknown is not None and self.unknown not in self.domains:
             raise Unreadable(f"the unknown {self.unknown} is not declared")
-        self.identity = False
         if empty and not is_claim(self.after):
             raise Unreadable(
                 "a formula alone claims nothing: write an equation, or give the line before"
             )
         if empty and isinstance(self.after, sp.Eq):
-            self.before, self.after, self.identity = self.after.lhs, self.after.rhs, True
+            self.before, self.after = self.after.args
         if self.before is not None and is_claim(self.before) != is_claim(self.after):
             raise Unreadable(
                 "one line is a formula and the other an equation: compare like with like"
@@ -118,129 +108,53 @@ class _Step:
         self.formulas = self.before is not None and not is_claim(self.before)
         if self.formulas:
             self._same_shape()
+        lines = self.before, self.after
+        self.search = Search(*lines, self.domains, seed, relation, self.unknown)
+        self.model = Model(self.search.domains, self.search.sizes)
 
     def _same_shape(self):
         a, b = (tuple(w.shape) if is_matrix(w) else (1, 1) for w in (self.before, self.after))
         if a != b:
             raise Unreadable(f"the shapes differ: {a[0]} x {a[1]} before and {b[0]} x {b[1]} after")
         if a == (1, 1):
-            from .reading import _scalar
-
-            self.before, self.after = _scalar(self.before), _scalar(self.after)
+            self.before, self.after = scalar(self.before), scalar(self.after)
 
     def verdict(self):
-        lines = [self.before, self.after]
-        search = Search(self.before, self.after, self.model, self.seed, 3.0)
-        finished, needed = bounded(lambda: conditions(lines, self.model), 0.8, 1.2)
-        needed = needed if finished else ()
-        finished, wrong = bounded(lambda: self.refute(search), 4.0, 4.8)
-        if wrong or search.found:
-            return self.refuted(search)
+        search = self.search
+        needed = bounded(lambda: conditions(search.lines, self.model), 0.8)[1] or ()
+        if self.settled_by_proof(search):
+            return self.proof(search, needed)
+        if search.refutes():
+            return feedback.refutation(search)
         if search.suspect:
             text = "undecided: the lines seem to differ, but not surely enough to call it wrong"
             return Verdict("undecided", text, conditions=needed)
+        facts = {"conditions": needed, "points": search.points}
         note = f", if {' and '.join(needed)}" if needed else ""
-        if search.enlarged:
+        if search.points and search.enlarged:
+            only = note or " on a part of the domain"
+            text = "the line after has a value on more of the domain than the line before"
             return Verdict(
-                "sampled" if search.points else "undecided",
-                f"agrees at {search.points} points, but only{note or ' on a part of the domain'}: "
-                "the line after has a value on more of the domain than the line before",
-                conditions=needed,
-                points=search.points,
+                "sampled", f"agrees at the points tried, but only{only}: {text}", **facts
             )
-        _, proved = bounded(self.prove, 2.6, self.end - time.monotonic())
-        if proved and (search.points or self.before is None):
-            return Verdict("proved", f"proved{note}", conditions=needed, points=search.points)
+        if not search.rough and (search.points or self.before is None) and self.proved():
+            return self.proof(search, needed)
         if search.points:
-            return Verdict(
-                "sampled",
-                f"agrees at {search.points} points (not a proof){note}",
-                conditions=needed,
-                points=search.points,
-            )
-        return Verdict(
-            "undecided",
-            "undecided: no point was found where both lines have a value",
-            conditions=needed,
-        )
+            return Verdict("sampled", feedback.where(search) + note, **facts)
+        text = "undecided: no point was found where both lines have a value"
+        return Verdict("undecided", text, conditions=needed)
 
-    def refute(self, search):
-        """Search for a counterexample, and then for the simplest one near it."""
-        if self.formulas:
-            wrong, check = search.formulas(), search.try_point
-        elif self.before is None:
-            wrong, check = search.claim(), partial(search.claim_at, generic=True)
-        else:
-            wrong = search.claims(self.relation, self.unknown)
-            check = partial(search.claims_at, relation=self.relation, n=self.unknown)
-        if wrong:
-            feedback.simplest(search, check, search.found[0])
-        return wrong
-
-    def prove(self):
-        m = self.model
-        finished, pair = bounded(
-            lambda: [
-                None if w is None or is_claim(w) else m.evaluated(w)
-                for w in (self.before, self.after)
-            ],
-            1.5,
-        )
-        if not finished:
+    def settled_by_proof(self, search):
+        """Whether a proof saves the many quadratures that a full search would take."""
+        if not search.rough or search.refutes(most=FEW) or search.suspect or search.enlarged:
             return False
-        if self.formulas:
-            a, b = pair
-            if is_matrix(a):
-                return all(vanishes(x, m) for x in (a - b))
-            return vanishes(a - b, m)
-        if self.before is None:
-            w = self.after
-            if not isinstance(w, (sp.Gt, sp.Ge, sp.Lt, sp.Le)):
-                return False
-            d = m.evaluated(w.gts) - m.evaluated(w.lts)
-            return positive(d, m, strict=isinstance(w, (sp.Gt, sp.Lt)))
-        if isinstance(self.before, sp.Eq) and isinstance(self.after, sp.Eq):
-            return equation_proved(self.before, self.after, self.relation, m)
-        if all(isinstance(w, (sp.Gt, sp.Ge, sp.Lt, sp.Le)) for w in (self.before, self.after)):
-            return inequality_proved(self.before, self.after, m)
-        return False
+        return (search.points > 0 or self.before is None) and self.proved()
 
-    def refuted(self, search):
-        values, seen = search.found
-        shown = feedback.witness(search, values)
-        place = ", ".join(f"{n} = {v}" for n, v in shown.items()) or "any point"
-        if self.formulas:
-            a = feedback.number(seen[1])
-            if seen[0] == "shrunk":
-                text = f"at {place} the line before is {a}, but the line after is not defined"
-                return Verdict("refuted", f"wrong: {text}", shown, a, sp.nan)
-            b = feedback.number(seen[2])
-            if a == b:  # they differ further behind
-                a, b = (feedback.number(x, 25) for x in seen[1:3])
-            _, words = bounded(lambda: feedback.difference_in_words(search), 0.6, 0.9)
-            text = (
-                f"wrong: at {place} the line before is {a} and the line after is {b}.{words or ''}"
-            )
-            return Verdict("refuted", text, shown, a, b)
-        if self.before is None:
-            a, b = (feedback.number(x) for x in seen[1:3])
-            return Verdict(
-                "refuted",
-                f"wrong: at {place} the left side is {a} and the right side is {b}",
-                shown,
-                a,
-                b,
-            )
-        kind, (p, _), (q, _) = seen
-        which = (
-            "holds in the line before but not in the line after"
-            if kind == "lost"
-            else "holds in the line after but not before"
-        )
-        return Verdict(
-            "refuted",
-            f"wrong: {place} {which}: a solution is {kind}",
-            shown,
-            sp.sympify(p),
-            sp.sympify(q),
-        )
+    def proved(self):
+        lines = self.before, self.after, self.relation
+        return bounded(lambda: proved(*lines, self.model), 3.5, 5)[1] is True
+
+    @staticmethod
+    def proof(search, needed):
+        note = f", if {' and '.join(needed)}" if needed else ""
+        return Verdict("proved", f"proved{note}", conditions=needed, points=search.points)

@@ -1,296 +1,486 @@
-"""Domains: how to draw a value, and the parameters in which SymPy can reason about them."""
+"""Domains: which values a declared name has, which of them to try, and what SymPy may assume."""
 
 import random
 import re
+from fractions import Fraction
+from functools import cached_property
 
-import mpmath
 import sympy as sp
 
-from .reading import SHAPES, Unreadable
+from .reading import Unreadable, read
 
-NAMED = {"real", "nonzero", ">0", ">=0", "angle", "seq", "index", "function", *SHAPES}
+NUMBER_FACTS = {
+    "real": {"real": True},
+    "angle": {"real": True},
+    "nonzero": {"real": True, "nonzero": True},
+    ">0": {"positive": True},
+    ">=0": {"nonnegative": True},
+    "<0": {"negative": True},
+    "<=0": {"nonpositive": True},
+}
+EXAMPLES = "real, >0, (0,1), angle, int>=1, seq, function, vec2, spd2, rot"
+SQUARE = ("spd", "chol", "sym", "rot")
+LARGE = [11, 12, 13, 16, 24, 25, 30, 36, 49, 97, 100, 101, 128, 341, 561, 1000, 1024, 9999, 10**4]
+LARGE += [65536, 99991, 10**5, 999983, 10**6]
+ANGLES = [sp.Integer(0), sp.pi, -sp.pi, sp.pi / 2, -sp.pi / 2, 2 * sp.pi, sp.pi / 4, 3 * sp.pi / 4]
+
+
+class NoRoom(Exception):
+    """The values drawn before leave no value for this name, or one too large to work with."""
+
+
+def make(name, text, names=()):
+    """Return the domain that `text` describes, for the symbol `name`.
+
+    Ends of intervals may be other declared `names`.
+    """
+    from .spelling import canonical
+
+    text = canonical(str(text)).replace(" ", "")
+    kinds = dict.fromkeys(names, "number")
+    if text in NUMBER_FACTS:
+        return Real(name, text, NUMBER_FACTS[text])
+    if m := re.fullmatch(r"int(>=?)(-?\d{1,6})", text):
+        return Whole(name, text, sp.Integer(int(m[2]) + (m[1] == ">")), sp.oo)
+    if text == "int":
+        return Whole(name, text, -sp.oo, sp.oo)
+    if m := re.fullmatch(r"(int|index)\[(.+),(.+)\]", text):
+        return Whole(name, text, *(_end(end, text, kinds) for end in m.groups()[1:]))
+    if text == "index":
+        return Index(name, text, sp.Integer(1), sp.oo)
+    if m := re.fullmatch(r"([(\[])(.+),(.+)([)\]])", text):
+        low, high = (_end(end, text, kinds) for end in (m[2], m[3]))
+        return Interval(name, text, low, high, (m[1] == "[", m[4] == "]"))
+    if m := re.fullmatch(r"seq(.*)", text):
+        return Sequence(name, text, make(name, m[1] or "real", names))
+    if text == "function":
+        return Abstract(name, text)
+    return Matrix(name, text, names)
+
+
+def _end(text, whole, kinds):
+    try:
+        end = sp.sympify(read(text.replace("inf", "oo"), kinds)).doit()
+    except Unreadable:
+        raise _unknown(whole) from None
+    if not end.is_number and not end.free_symbols:
+        raise _unknown(whole)
+    return end
+
+
+def _unknown(text):
+    return Unreadable(f"{text!r} is not a domain; domains are written {EXAMPLES}")
+
+
+def fraction(rng, low=1, high=60):
+    return Fraction(rng.randint(low, high), rng.choice([7, 11, 13, 17, 53, 97]))
 
 
 class Domain:
-    """One declared name: its `symbol` (or explicit matrix) and its reparametrization `free`."""
+    """One declared name.
+
+    ``kind`` says how the name is read: "number", "sequence", "function" or the shape of a matrix.
+    ``symbol`` is what proofs work with; ``free`` replaces it by parameters whose assumptions say
+    more, and ``circle`` is a pair (sine, cosine) whose squares add up to one.
+    """
+
+    kind = "number"
+    real = whole = False
+    circle = None
 
     def __init__(self, name, text):
-        self.name, self.text = name, str(text).replace(" ", "")
-        self.low = self.high = self.factor = None
-        if m := re.fullmatch(r"int>=?(-?\d{1,6})", self.text):
-            self.kind, self.low = "int", int(m[1]) + (">=" not in self.text)
-        elif m := re.fullmatch(r"([(\[])(-?[\w./]+),(-?[\w./]+)([)\]])", self.text):
-            self.kind = "interval"
-            self.low, self.high = _bound(m[2], text), _bound(m[3], text)
-            self.closed = (m[1] == "[", m[4] == "]")
-            if not self.low < self.high:
-                raise Unreadable(f"the domain {text!r} of {name} is empty")
-        elif self.text in NAMED:
-            self.kind = self.text
-        else:
-            raise Unreadable(
-                f"{text!r} is not a domain; use {', '.join(sorted(NAMED))}, (a,b) or int>=k"
-            )
-        self._make()
+        self.name, self.text = name, text
+        self.free = {}
 
-    def _make(self):
-        n = self.name
-        u = sp.Symbol(n + "_u", positive=True)
-        self.free = self.algebra = {}
-        if self.kind in SHAPES:
-            self.symbol, self.algebra = _matrix(n, self.kind)
-            if self.kind in ("spd2", "spd3"):
-                self.factor, self.symbol = self.symbol, self.symbol * self.symbol.T
-            return
-        facts = {
-            ">0": {"positive": True},
-            ">=0": {"nonnegative": True},
-            "nonzero": {"real": True, "nonzero": True},
-            "index": {"integer": True, "positive": True},
-        }.get(self.kind, {"real": True})
-        if self.kind == "int":
-            facts = {"integer": True} | (
-                {"positive": True}
-                if self.low > 0
-                else {"nonnegative": True}
-                if self.low == 0
-                else {}
-            )
-            self.symbol = sp.Symbol(n, **facts)
-            if self.low > 1:
-                self.free = {
-                    self.symbol: self.low + sp.Symbol(n + "_u", integer=True, nonnegative=True)
-                }
-            return
-        if self.kind == "interval":
-            facts = (
-                {"positive": True}
-                if self.low >= 0
-                else {"negative": True}
-                if self.high <= 0
-                else {"real": True}
-            )
-            if any(self.closed):
-                facts = {"nonnegative": True} if self.low >= 0 else {"real": True}
-            self.symbol = sp.Symbol(n, **facts)
-            if (self.low == -sp.oo and self.high == sp.oo) or any(self.closed):
-                return
-            if self.high == sp.oo:
-                self.free = {self.symbol: self.low + u} if self.low else {}
-            elif self.low == -sp.oo:
-                self.free = {self.symbol: self.high - u}
-            else:
-                self.free = {self.symbol: (self.low + self.high * u) / (1 + u)}
-            return
-        self.symbol = sp.Symbol(n, **facts)
-
-    def contains(self, x):
-        """Whether the number x (mpf) lies in the domain; for a root that was found."""
-        if self.kind == "interval":
-            low, high = (
-                (float("-inf") if self.low == -sp.oo else self.low),
-                (float("inf") if self.high == sp.oo else self.high),
-            )
-            low, high = [_mpf(v) for v in (low, high)]
-            return (low < x or (self.closed[0] and low == x)) and (
-                x < high or (self.closed[1] and x == high)
-            )
-        return {">0": x > 0, ">=0": x >= 0, "nonzero": x != 0}.get(self.kind, True)
-
-    def settled(self, x):
-        """Return a zero that was found, put exactly on the end of the domain if it is there."""
-        from .evaluating import Unreliable
-
-        for end in (0, self.low, self.high):
-            if end is not None and end not in (sp.oo, -sp.oo):
-                close = abs(x - _mpf(sp.Rational(end)))
-                x = _mpf(sp.Rational(end)) if close < mpmath.mpf(2) ** (-mpmath.mp.prec // 2) else x
-        if not self.contains(x):
-            raise Unreliable("a zero outside the domain")
-        return x
-
-    def surely(self, e, positive):
-        """Whether the formula e is proved to lie in this (open, connected) domain."""
-        if self.kind == "interval":
-            ends = [
-                e - self.low if self.low != -sp.oo else 1,
-                self.high - e if self.high != sp.oo else 1,
-            ]
-            return not any(self.closed) and all(d == 1 or positive(d) for d in ends)
-        return self.kind == "real" or (self.kind == ">0" and positive(e))
-
-    def draw(self, rng, style):
-        """A value: `small` integers, `fraction`s, `wild` magnitudes, `edge` of the domain."""
-        k = self.kind
-        if k == "function":
-            return draw_function(rng, style)
-        if k in SHAPES:
-            return _draw_matrix(k, rng, style)
-        if k == "int":
-            return sp.Integer(
-                self.low + rng.choice([0, 1, 2, 2, 4]) if style != "edge" else self.low
-            )
-        if k == "index":
-            return sp.Integer(1)
-        if k == "interval" and (self.low != -sp.oo or self.high != sp.oo):
-            return self._draw_interval(rng, style)
-        if k == "angle":
-            if style == "edge":
-                return rng.choice(
-                    [sp.Integer(0), sp.pi, -sp.pi, sp.pi / 2, -sp.pi / 2, 2 * sp.pi, sp.pi / 4]
-                )
-            return (
-                rng.choice([1, -1]) * _fraction(rng)
-                if style != "small"
-                else sp.Integer(rng.randint(-4, 4))
-            )
-        sign = 1 if k in (">0", ">=0") else rng.choice([1, -1])
-        if style == "small":
-            low = 0 if k in ("real", "interval", ">=0", "seq") and rng.random() < 0.12 else 1
-            return sign * sp.Integer(rng.choice([low, 1, 1, 2, 2, 3, 3, 4, 5]))
-        if style == "wild" and rng.random() < 0.7:
-            return sign * _fraction(rng) * sp.Integer(10) ** rng.choice([-9, -4, 4, 9])
-        if style == "edge" and k not in (">0", "nonzero") and rng.random() < 0.5:
-            return sp.Integer(0)
-        if style == "edge" and rng.random() < 0.5:
-            return sign * sp.Integer(1)
-        return sign * _fraction(rng, style)
-
-    def _draw_interval(self, rng, style):
-        low, high = self.low, self.high
-        if style == "edge":
-            ends = [v for v, c in ((low, self.closed[0]), (high, self.closed[1])) if c]
-            if ends and rng.random() < 0.7:
-                return rng.choice(ends)
-        if high == sp.oo or low == -sp.oo:
-            step = _fraction(rng) if style != "small" else sp.Integer(rng.randint(1, 4))
-            return low + step if high == sp.oo else high - step
-        if style == "small":
-            t = rng.choice(
-                [
-                    sp.Rational(1, 2),
-                    sp.Rational(1, 4),
-                    sp.Rational(3, 4),
-                    sp.Rational(1, 3),
-                    sp.Rational(2, 3),
-                ]
-            )
-        elif style in ("wild", "edge") and rng.random() < 0.7:
-            t = sp.Rational(1, 10 ** rng.choice([3, 6, 9]))
-            t = rng.choice([t, 1 - t])
-        else:
-            t = sp.Rational(rng.randint(1, 96), 97)
-        return low + (high - low) * t
+    def contains(self, x, values=None):
+        return True
 
     def simple(self):
         """Values from simple to less simple, for the counterexample that is shown."""
-        if self.kind == "int":
-            return [sp.Integer(self.low + k) for k in range(3)]
-        if self.kind == "interval":
-            if self.low == -sp.oo or self.high == sp.oo:
-                tries = [sp.Integer(k) for k in (0, 1, 2, -1)]
-            else:
-                tries = [
-                    self.low + (self.high - self.low) * sp.Rational(*t)
-                    for t in ((1, 2), (1, 4), (3, 4))
-                ]
-            return [v for v in tries if self.low < v < self.high]
-        if self.kind in SHAPES or self.kind == "function":
-            rng = random.Random(0)
-            return [self.draw(rng, "simplest")] if self.kind != "function" else []
-        values = [sp.Integer(k) for k in (1, 0, 2, -1, 3)]
-        return [v for v in values if self.contains(v)]
+        return []
 
 
-def _mpf(v):
-    return mpmath.mpf(v.p) / v.q if isinstance(v, sp.Rational) else mpmath.mpf(v)
+class Real(Domain):
+    """Real numbers, perhaps of one sign."""
+
+    real = True
+    low, high, closed = -sp.oo, sp.oo, (False, False)
+
+    def __init__(self, name, text, facts):
+        super().__init__(name, text)
+        self.symbol = sp.Symbol(name, **facts)
+        self.sign = {">0": 1, ">=0": 1, "<0": -1, "<=0": -1}.get(text)
+        self.zero = text not in (">0", "<0", "nonzero")
+
+    def contains(self, x, values=None):
+        if x == 0:
+            return self.zero
+        return self.sign is None or (x > 0) == (self.sign > 0)
+
+    def draw(self, rng, style, values):
+        if self.text == "angle" and style == "edge":
+            return rng.choice(ANGLES)
+        s = self.sign or rng.choice([1, -1])
+        if style == "small":
+            return Fraction(
+                s * rng.choice([0 if self.zero and rng.random() < 0.3 else 1, 1, 2, 2, 3, 4, 5])
+            )
+        if style == "wild":
+            return s * fraction(rng) * Fraction(10) ** rng.choice([-9, -4, 4, 9])
+        if style == "edge":
+            halves = [
+                Fraction(s),
+                Fraction(s, 2),
+                Fraction(3 * s, 2),
+                Fraction(5 * s, 2),
+                Fraction(s, 3),
+            ]
+            return Fraction(0) if self.zero and rng.random() < 0.3 else rng.choice(halves)
+        return s * (1 - fraction(rng, 1, 6) / 1 if rng.random() < 0.3 else fraction(rng))
+
+    def simple(self):
+        return [x for x in map(Fraction, (1, 0, 2, -1, 3, -2)) if self.contains(x)]
+
+    def stretch(self, t):
+        """Return the value for a parameter t in (-1, 1), for a search that goes downhill."""
+        x = Fraction(t) / (1 - abs(Fraction(t)))
+        if self.text == "angle":
+            return 4 * Fraction(t)
+        return x if self.sign is None else self.sign * (1 + Fraction(t)) / (1 - Fraction(t))
+
+    def inside(self, e, positive):
+        """Whether the formula `e` is proved to lie in this domain, which must be open."""
+        if self.sign is None:
+            return self.zero
+        return not self.zero and positive(self.sign * e)
 
 
-def _bound(text, whole):
-    text = {"inf": "oo", "-inf": "-oo"}.get(text, text)
-    try:
-        if text in ("oo", "-oo"):
-            return sp.oo if text == "oo" else -sp.oo
-        if text.lstrip("-") == "pi":
-            return sp.Rational(355, 113) * (-1 if text[0] == "-" else 1)
-        return sp.Rational(text)
-    except (TypeError, ValueError, ZeroDivisionError):
-        raise Unreadable(f"{whole!r} is not a domain: the ends of (a,b) are numbers") from None
+class Interval(Domain):
+    """An interval whose ends are exact numbers, or depend on other names."""
 
+    real = True
 
-def _fraction(rng, style="fraction"):
-    """Draw a positive rational; `below` and `above` stay on one side of 1."""
-    if style == "below":
-        return sp.Rational(rng.randint(1, 60), 61)
-    if style == "above":
-        return 1 + sp.Rational(rng.randint(1, 900), 7)
-    return sp.Rational(rng.randint(1, 60), rng.choice([7, 11, 13, 17, 53, 97]))
+    def __init__(self, name, text, low, high, closed):
+        super().__init__(name, text)
+        self.low, self.high, self.closed = low, high, closed
+        fixed = low.is_number and high.is_number
+        if fixed and not low < high:
+            raise Unreadable(f"the domain {text!r} of {name} is empty")
+        facts = {"real": True}
+        if low.is_nonnegative:
+            facts = {"nonnegative": True} if closed[0] and low == 0 else {"positive": True}
+        elif high.is_nonpositive:
+            facts = {"nonpositive": True} if closed[1] and high == 0 else {"negative": True}
+        self.symbol = sp.Symbol(name, **facts)
+        self.free = {self.symbol: self._parameter()} if fixed else {}
+        if self.free.get(self.symbol) == self.symbol:
+            self.free = {}
 
+    def _parameter(self):
+        u = sp.Symbol(self.name + "_u", positive=True)
+        v = sp.Symbol(self.name + "_u", nonnegative=True)
+        low, high = self.low, self.high
+        if (low == -sp.oo and high == sp.oo) or all(self.closed):
+            return self.symbol
+        if high == sp.oo:
+            return low + (v if self.closed[0] else u) if low else self.symbol
+        if low == -sp.oo:
+            return high - (v if self.closed[1] else u) if high else self.symbol
+        if self.closed[1]:
+            return (low * v + high) / (1 + v)
+        w = v if self.closed[0] else u
+        return (low + high * w) / (1 + w)
 
-def _matrix(n, kind):
-    """The explicit matrix in its free parameters, and the relations c**2 + s**2 = 1 among them."""
-    rows, cols = SHAPES[kind]
-    if kind in ("vec2", "vec3"):
-        return sp.ImmutableMatrix(rows, 1, lambda i, j: sp.Symbol(f"{n}_{i}", real=True)), {}
-    if kind in ("spd2", "spd3", "chol2"):
-        L = sp.ImmutableMatrix(
-            rows,
-            cols,
-            lambda i, j: (
-                sp.Symbol(f"{n}_l{i}{j}", positive=True)
-                if i == j
-                else sp.Symbol(f"{n}_l{i}{j}", real=True)
-                if i > j
-                else 0
-            ),
+    def _ends(self, values):
+        return [_placed(end, values) for end in (self.low, self.high)]
+
+    def contains(self, x, values=None):
+        low, high = self._ends(values or {})
+        above = x > low or (self.closed[0] and x == low)
+        return bool(above and (x < high or (self.closed[1] and x == high)))
+
+    def draw(self, rng, style, values):
+        low, high = self._ends(values)
+        if not low < high:
+            raise NoRoom
+        if style == "edge" and any(self.closed) and rng.random() < 0.7:
+            return rng.choice([e for e, c in zip((low, high), self.closed, strict=True) if c])
+        if high == sp.oo or low == -sp.oo:
+            step = fraction(rng) if style != "small" else Fraction(rng.randint(1, 4))
+            if style == "wild":
+                step *= Fraction(10) ** rng.choice([-9, -4, 4, 9])
+            if low == -sp.oo == -high:
+                return rng.choice([1, -1]) * step
+            return exact(low + sp.Rational(step) if high == sp.oo else high - sp.Rational(step))
+        if style == "small" and high - low > 1 and rng.random() < 0.6:
+            inside = [k for k in range(int(sp.floor(low)), int(min(high, low + 12)) + 2)]
+            inside = [Fraction(k) for k in inside if self.contains(sp.Integer(k), values)]
+            if inside:
+                return rng.choice(inside)
+        if style == "small":
+            share = Fraction(*rng.choice([(1, 2), (1, 4), (3, 4), (1, 3), (2, 3)]))
+        elif style in ("wild", "edge"):
+            share = Fraction(1, 10 ** rng.choice([3, 6, 9]))
+            share = rng.choice([share, 1 - share])
+        else:
+            share = Fraction(rng.randint(1, 96), 97)
+        return exact(low + (high - low) * sp.Rational(share))
+
+    def simple(self):
+        low, high = self.low, self.high
+        if not (low.is_number and high.is_number):
+            return []
+        if low == -sp.oo or high == sp.oo:
+            tries = [sp.Integer(k) for k in (0, 1, 2, -1, 3)]
+        else:
+            middle = [low + (high - low) * sp.Rational(*t) for t in ((1, 2), (1, 4), (3, 4))]
+            tries = [sp.Integer(1), sp.Rational(1, 2), sp.Integer(2), *middle]
+        return [exact(x) for x in tries if self.contains(x)]
+
+    def stretch(self, t):
+        share = (1 + sp.Rational(t)) / 2
+        if self.low == -sp.oo and self.high == sp.oo:
+            return Fraction(t) / (1 - abs(Fraction(t)))
+        if self.high == sp.oo:
+            return rational(self.low + share / (1 - share))
+        if self.low == -sp.oo:
+            return rational(self.high - share / (1 - share))
+        return rational(self.low + (self.high - self.low) * share)
+
+    def inside(self, e, positive):
+        if any(self.closed):
+            return False
+        ends = ([e - self.low] if self.low != -sp.oo else []) + (
+            [self.high - e] if self.high != sp.oo else []
         )
-        return L, {}
-    c, s = sp.Symbol(f"{n}_cos", real=True), sp.Symbol(f"{n}_sin", real=True)
-    if kind == "rot":
-        return sp.ImmutableMatrix([[c, -s], [s, c]]), {s: c}
-    x, y = sp.Symbol(f"{n}_x", real=True), sp.Symbol(f"{n}_y", real=True)
-    return sp.ImmutableMatrix([[c, -s, x], [s, c, y], [0, 0, 1]]), {s: c}
+        return all(map(positive, ends))
 
 
-def _draw_matrix(kind, rng, style):
-    rows, cols = SHAPES[kind]
+class Whole(Domain):
+    """Whole numbers from `low` to `high`; the ends may depend on other names."""
 
-    def number(positive=False):
-        if style == "simplest":
-            return sp.Integer(1)
-        x = sp.Integer(rng.randint(1, 3)) if style in ("small", "edge") else _fraction(rng)
-        return x if positive else rng.choice([x, -x, x - 1])
+    whole = True
 
-    if kind in ("vec2", "vec3"):
-        if style == "edge" and rng.random() < 0.5:
-            return sp.ImmutableMatrix.zeros(rows, 1)
-        return sp.ImmutableMatrix(
-            rows, 1, lambda i, j: sp.Integer(i + 1) if style == "simplest" else number()
-        )
-    if kind in ("spd2", "spd3", "chol2"):
-        L = sp.ImmutableMatrix(
-            rows, cols, lambda i, j: number(True) if i == j else number() if i > j else 0
-        )
-        return L if kind == "chol2" else L * L.T
-    c, s = (
-        {"simplest": [(0, 1)], "small": [(0, 1), (-1, 0), (0, -1)]}.get(style)
-        and rng.choice({"simplest": [(0, 1)], "small": [(0, 1), (-1, 0), (0, -1)]}[style])
-    ) or _turn(rng)
-    if kind == "rot":
-        return sp.ImmutableMatrix([[c, -s], [s, c]])
-    return sp.ImmutableMatrix([[c, -s, number()], [s, c, number()], [0, 0, 1]])
+    def __init__(self, name, text, low, high):
+        super().__init__(name, text)
+        self.low, self.high = low, high
+        facts = {"integer": True}
+        if low.is_positive:
+            facts["positive"] = True
+        elif low.is_nonnegative:
+            facts["nonnegative"] = True
+        self.symbol = sp.Symbol(name, **facts)
+        if low.is_number and low > 1:
+            self.free = {self.symbol: low + sp.Symbol(name + "_u", integer=True, nonnegative=True)}
+
+    def contains(self, x, values=None):
+        low, high = (_placed(end, values or {}) for end in (self.low, self.high))
+        return bool(low <= x <= high)
+
+    def draw(self, rng, style, values, longest=10**7):
+        low, high = (_placed(end, values) for end in (self.low, self.high))
+        if low == -sp.oo:
+            return Fraction(rng.choice([1, -1]) * rng.choice([0, 1, 2, 3, 5, 12]))
+        high = min(high, longest)
+        if high < low:
+            raise NoRoom
+        if style in ("small", "fraction"):
+            n = low + rng.choice([0, 1, 1, 2, 2, 3, 4, 5, 6])
+        elif style == "edge":
+            n = rng.choice([low, high]) if high < 10**6 else low
+        else:
+            n = rng.choice([k for k in LARGE if k >= low] or [low])
+        return Fraction(int(min(n, high)))
+
+    def simple(self):
+        return [Fraction(int(self.low + k)) for k in range(4)] if self.low.is_number else []
 
 
-def _turn(rng):
-    """A rational point on the circle."""
-    t = sp.Rational(rng.randint(-30, 30), 13)
-    return (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
+class Index(Whole):
+    """A place in the sequences of a line: from 1 to the largest size that the line has."""
+
+    def draw(self, rng, style, values, longest=10**7):
+        high = min(values.get("", (0, 0, 7))[2], longest)
+        return Fraction(rng.randint(1, max(1, int(high))))
+
+    def simple(self):
+        return [Fraction(1), Fraction(2)]
 
 
-def draw_function(rng, style):
-    """Draw a smooth function, as a SymPy Lambda: a polynomial, or one with exp and sin."""
-    x = sp.Symbol("x")
-    a, b, c = (sp.Rational(rng.randint(-9, 9) or 1, rng.choice([1, 2, 4])) for _ in range(3))
-    if style == "small":
-        return sp.Lambda(x, rng.choice([x**2, x**3 + x, x**2 - 3 * x + 1, 2 * x**3 - x**2]))
-    return sp.Lambda(x, a * x**3 + b * x**2 + c * sp.sin(x) + sp.exp(x / 5))
+class Sequence(Domain):
+    """Numbers with an index, each from the domain `element`."""
+
+    kind = "sequence"
+
+    def __init__(self, name, text, element):
+        super().__init__(name, text)
+        self.element = element
+        facts = element.symbol.assumptions0
+        facts = {n: facts[n] for n in ("integer", "positive", "nonnegative") if facts.get(n)}
+        self.symbol = sp.IndexedBase(name, real=True, **facts)
+
+
+class Abstract(Domain):
+    """A smooth function of one or several real arguments."""
+
+    kind = "function"
+    arguments = 1
+
+    def __init__(self, name, text):
+        super().__init__(name, text)
+        self.symbol = sp.Function(name, real=True)
+
+    def draw(self, rng, style, values):
+        xs = [sp.Dummy("x") for _ in range(self.arguments)]
+
+        def mixed():
+            return sum(rng.choice([1, 2, -1, sp.Rational(1, 2), -3]) * x for x in xs) + rng.randint(
+                -2, 2
+            )
+
+        if style == "small":
+            x = xs[0]
+            one = rng.choice([x**2, x**3 + x, x**2 - 3 * x + 1, 2 * x**3 - x**2])
+            more = sum(k * x * y**2 + y**4 - k * y**3 * x for k, y in enumerate(xs[1:], 2))
+            return sp.Lambda(tuple(xs), one + more)
+        a, b = (sp.Rational(rng.randint(1, 9), rng.choice([2, 4])) for _ in range(2))
+        body = a * mixed() ** 3 + b * sp.sin(mixed()) + sp.exp(mixed() / 5) - mixed() ** 4 / 7
+        return sp.Lambda(tuple(xs), body)
+
+
+class Matrix(Domain):
+    """Vectors and matrices, also with a declared name as size."""
+
+    def __init__(self, name, text, names):
+        super().__init__(name, text)
+        m = re.fullmatch(r"(vec|mat|spd|chol|sym|rot|se)(\d(?:x\d)?|\([\w,]+\))?", text)
+        if not m or (m[1] == "se") != (text == "se2"):
+            raise _unknown(text)
+        self.family = m[1]
+        sizes = [
+            self._size(n, text, names) for n in re.findall(r"\w+", (m[2] or "2").replace("x", ","))
+        ]
+        if self.family == "vec":
+            sizes = [*sizes, sp.Integer(1)]
+        self.kind = (sizes[0] + (self.family == "se"), sizes[-1] + (self.family == "se"))
+        self.fixed = all(n.is_Integer for n in self.kind)
+        if not self.fixed or (self.family == "rot" and self.kind[0] == 3):
+            self.symbol = sp.MatrixSymbol(name, *self.kind)
+        else:
+            self.symbol = self._explicit()
+
+    @staticmethod
+    def _size(n, text, names):
+        if n.isdigit() and 1 <= int(n) <= 6:
+            return sp.Integer(n)
+        if n in names:
+            return sp.Symbol(n)
+        raise _unknown(text)
+
+    def _explicit(self):
+        rows, columns = map(int, self.kind)
+        n = self.name
+
+        def entry(i, j):
+            i, j = (max(i, j), min(i, j)) if self.family == "sym" else (i, j)
+            if self.family in ("spd", "chol") and i < j:
+                return sp.Integer(0)
+            positive = self.family in ("spd", "chol") and i == j
+            facts = {"positive": True} if positive else {"real": True}
+            return sp.Symbol(f"{n}_{i}" if columns == 1 else f"{n}_{i}{j}", **facts)
+
+        if self.family in ("rot", "se"):
+            c, s = (sp.Symbol(f"{n}_{f}", real=True) for f in ("cos", "sin"))
+            self.circle = s, c
+            x, y = (sp.Symbol(f"{n}_{f}", real=True) for f in "xy")
+            turn = [[c, -s], [s, c]]
+            return sp.ImmutableMatrix(
+                turn if self.family == "rot" else [[*turn[0], x], [*turn[1], y], [0, 0, 1]]
+            )
+        L = sp.ImmutableMatrix(rows, columns, entry)
+        self.factor = L
+        return L * L.T if self.family == "spd" else L
+
+    @cached_property
+    def inverse(self):
+        """The inverse where it is known without dividing by a determinant, else None."""
+        M = self.symbol
+        if self.family == "spd":
+            back = self.factor.adjugate() / self.factor.det()
+            return (back.T * back).as_immutable()
+        if self.family == "rot":
+            return M.T
+        if self.family == "se":
+            R = M[:2, :2].T
+            return R.row_join(-R * M[:2, 2]).col_join(sp.ImmutableMatrix([[0, 0, 1]]))
+        return None
+
+    def draw(self, rng, style, values):
+        rows, columns = (int(_placed(n, values)) for n in self.kind)
+        if max(rows, columns) > 5:
+            raise NoRoom
+
+        def number(positive=False):
+            x = Fraction(rng.randint(1, 3)) if style in ("small", "edge") else fraction(rng)
+            return x if positive else rng.choice([x, -x, x - 1])
+
+        if self.family in ("rot", "se"):
+            return self._turn(rng, style, rows, number)
+        if style == "edge" and rng.random() < 0.4 and self.family in ("vec", "mat", "sym"):
+            return [[Fraction(0)] * columns for _ in range(rows)]
+        x = [[number() for _ in range(columns)] for _ in range(rows)]
+        if self.family == "sym":
+            return [[x[max(i, j)][min(i, j)] for j in range(columns)] for i in range(rows)]
+        if self.family in ("spd", "chol"):
+            L = [
+                [number(True) if i == j else x[i][j] if i > j else Fraction(0) for j in range(rows)]
+                for i in range(rows)
+            ]
+            if self.family == "chol":
+                return L
+            return [[sum(a * b for a, b in zip(r, s, strict=True)) for s in L] for r in L]
+        return x
+
+    def _turn(self, rng, style, rows, number):
+        size = rows - (self.family == "se")
+        R = [[Fraction(int(i == j)) for j in range(size)] for i in range(size)]
+        for i in range(size):
+            for j in range(i):
+                t = (
+                    Fraction(rng.randint(-30, 30), 13)
+                    if style != "small"
+                    else rng.choice([0, 1, -1])
+                )
+                c, s = (1 - t**2) / Fraction(1 + t**2), 2 * t / Fraction(1 + t**2)
+                for row in R:
+                    row[i], row[j] = c * row[i] - s * row[j], s * row[i] + c * row[j]
+        if self.family == "se":
+            R = [[*row, number()] for row in R] + [[Fraction(0)] * size + [Fraction(1)]]
+        return R
+
+    def simple(self):
+        if not self.fixed:
+            return []
+        rows, columns = map(int, self.kind)
+        if columns == 1:
+            return [[[Fraction(i + 1)] for i in range(rows)]]
+        rng = random.Random(0)
+        return [self.draw(rng, "small", {})]
+
+
+def _placed(end, values):
+    """Return the end of a domain as a number, with the names in it at their values."""
+    if end.is_number:
+        return end
+    numbers = {s: sp.Rational(values[s.name]) for s in end.free_symbols}
+    return end.subs(numbers)
+
+
+def rational(x):
+    """Return a fraction that is, or is close to, the SymPy number `x`."""
+    return exact(x) if x.is_Rational else Fraction(float(x))
+
+
+def exact(x):
+    """Return a SymPy number as a fraction if it is rational; others stay as they are."""
+    return Fraction(int(x.p), int(x.q)) if x.is_Rational else x

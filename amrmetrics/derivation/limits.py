@@ -1,103 +1,80 @@
-"""Time limits that hold in any thread and on any system: no signals.
+"""Limits of work that need no thread and no signal, so that they hold in a browser as well.
 
-A second thread raises `TimeUp` in the first one when the time is up. That exception can arrive
-between any two instructions, so nothing here may hold a lock in Python code, nor wait in one: the
-two threads share two flags and one plain lock, and each operation on them is a single call.
-
-Where the system tells the computing time of a thread, that is what is limited, so that a busy
-machine gives the same verdicts; a longer limit on the time by the clock holds everywhere.
+A guarded call is watched by Python's profile hook: it counts calls and returns, which are the same
+on every machine, and stops the work when there are too many. Now and then it looks at the clock,
+so that a slow machine stops, too.
 """
 
-import _thread
-import ctypes
 import sys
-import threading
 import time
+from inspect import CO_GENERATOR
+
+EVENTS = 4_000_000  # calls and returns in a second of an ordinary machine
+CHUNK = 512
 
 
 class TimeUp(BaseException):
     """Raised inside the guarded call; not an Exception, so that no library swallows it."""
 
+    def __init__(self, watch):
+        super().__init__("too much work")
+        self.watch = watch
+
 
 class _Watch:
-    def __init__(self, seconds, wall):
-        self.thread, self.seconds = threading.get_ident(), seconds
-        self.begin, self.wall = time.monotonic(), wall
-        try:
-            self.clock = time.pthread_getcpuclockid(self.thread)
-            self.used = time.clock_gettime(self.clock)
-        except (AttributeError, OSError):
-            self.clock, self.wall = None, seconds
-        self.off = self.launched = self.fired = self.ended = False
-        self.wire = _thread.allocate_lock()
-        self.wire.acquire()
+    """The hook of one guarded call; it charges the guarded calls around it as well."""
 
-    def start(self):
-        self.launched = bool(_thread.start_new_thread(self._watch, ()))
+    def __init__(self, seconds, wall, outer):
+        self.left, self.end = seconds * EVENTS, time.monotonic() + wall
+        self.outer = outer if isinstance(outer, _Watch) else None
+        self.since = 0
 
-    def _inject(self, what):
-        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.thread), what)
+    def __call__(self, frame, event, argument):
+        self.since += 1
+        # An exception that arrives while a generator is being closed would be lost, with a message.
+        begins = event in ("call", "c_call") and not frame.f_code.co_flags & CO_GENERATOR
+        if self.since >= CHUNK and begins:
+            self.since = 0
+            self.charge(time.monotonic())
 
-    def _left(self):
-        wall = self.begin + self.wall - time.monotonic()
-        if self.clock is None:
-            return wall
-        return min(wall, self.used + self.seconds - time.clock_gettime(self.clock))
+    def charge(self, now):
+        if self.outer:
+            self.outer.charge(now)
+        self.left -= CHUNK
+        if self.left < 0 or now > self.end:
+            raise TimeUp(self)
 
-    def _watch(self):
-        pause = self.seconds
-        while not self.wire.acquire(timeout=pause):
-            if self.off:
-                break
-            pause = self._left()
-            if pause <= 0:
-                self.fired = True
-                self._inject(ctypes.py_object(TimeUp))
-                pause = 0.25  # somebody may have swallowed it: try again
-            pause = max(pause, 0.01)
-        self.ended = True
 
-    def stop(self):
-        """Return when nothing can arrive any more; may be called again if interrupted itself."""
-        self.off = True
-        if self.wire.locked() and not self.ended:
-            self.wire.release()
-        while self.launched and not self.ended:
-            time.sleep(0.0002)
-        if self.fired:
-            self._inject(None)  # one that is still on its way must not arrive
+LIBRARIES = ("sympy", "mpmath")
 
 
 def bounded(call, seconds, wall=None):
-    """Return ``(True, call())``, or ``(False, None)`` if it takes longer than `seconds`.
+    """Return ``(True, call())``, or ``(False, None)`` if that is more than `seconds` of work.
 
-    These are seconds of computing, where the system tells them, and at most `wall` seconds by the
-    clock (three times as many, if not given).
+    At most `wall` seconds by the clock (four times as many, if not given). A guarded call inside
+    another one keeps the limits of both. If SymPy gives up with an exception of its own, the answer
+    is ``(False, None)``, too; an exception that this package raises is a mistake in it, and passes.
     """
-    watch = _Watch(seconds, 3 * seconds if wall is None else wall)
-    outcome, error, begun = (False, None), None, False
-    hook = sys.unraisablehook
-    # Where it arrives in a destructor or a callback, it is lost, and a message with it.
-    sys.unraisablehook = lambda lost: None if lost.exc_type is TimeUp else hook(lost)
-    while True:
-        try:
-            if not begun:
-                begun = True
-                watch.start()
-                outcome = True, call()
-            watch.stop()
-            break
-        except TimeUp:
-            continue
-        except BaseException as other:
-            error = other
-    sys.unraisablehook = hook
-    if error is not None:
-        raise error
-    if not outcome[0] and not watch.fired:
-        raise TimeUp  # it was meant for a call further out
-    if not outcome[0]:
-        from sympy.core.cache import clear_cache
+    before = sys.getprofile()
+    watch = _Watch(seconds, 4 * seconds if wall is None else wall, before)
+    sys.setprofile(watch)
+    try:
+        return True, call()
+    except TimeUp as up:
+        if up.watch is not watch:
+            raise
+        return False, None
+    except Exception as error:
+        if _raised_in(error) not in LIBRARIES:
+            raise
+        return False, None
+    finally:
+        sys.setprofile(before)
 
-        clear_cache()  # an interrupted deduction leaves half-filled assumptions behind
-    return outcome
+
+def _raised_in(error):
+    """Return the package in whose code an exception was raised."""
+    place = error.__traceback__
+    while place.tb_next:
+        place = place.tb_next
+    return place.tb_frame.f_globals.get("__name__", "").split(".")[0]

@@ -14,22 +14,33 @@ from sympy.logic.boolalg import BooleanAtom
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 MAX_TEXT, MAX_NODES, MAX_DEPTH, MAX_DEGREE, MAX_TERMS = 4000, 2500, 60, 120, 1000
-SHAPES = {"vec2": (2, 1), "vec3": (3, 1), "spd2": (2, 2), "spd3": (3, 3), "chol2": (2, 2)}
-SHAPES |= {"rot": (2, 2), "se2": (3, 3)}
+UNICODE = str.maketrans({"−": "-", "–": "-", "·": "*", "×": "*", "≤": "<=", "≥": ">=", "≠": "!="})
+UNICODE |= str.maketrans({"²": "**2", "³": "**3", "π": "pi", "∞": "oo"})
 
 _ONE = "sin cos tan cot sinh cosh tanh asin acos atan exp log Abs sign gamma factorial erf erfc"
 _TWO = "atan2 binomial beta uppergamma lowergamma KroneckerDelta Mod"
 FUNCTIONS = {n: getattr(sp, n) for n in f"{_ONE} {_TWO} floor ceiling Max Min".split()}
 ARITY = dict.fromkeys(_TWO.split(), (2, 2)) | {"log": (1, 2), "Max": (1, 9), "Min": (1, 9)}
-OTHER_NAMES = {"abs": "Abs", "max": "Max", "min": "Min", "ln": "log"}
+OTHER_NAMES = {"abs": "Abs", "max": "Max", "min": "Min", "ln": "log", "ceil": "ceiling"}
+OTHER_NAMES |= {"diff": "Derivative", "integrate": "Integral", "summation": "Sum", "limit": "Limit"}
+OTHER_NAMES |= {"product": "Product", "prod": "Product", "sum": "Sum", "Integrate": "Integral"}
+OTHER_NAMES |= {
+    "tr": "Trace",
+    "trace": "Trace",
+    "Determinant": "det",
+    "Inverse": "inv",
+    "Diff": "Derivative",
+}
 OTHER_NAMES |= {f"arc{n}": f"a{n}" for n in ("sin", "cos", "tan", "tan2")}
 MODULES = ("np", "numpy", "math", "sp", "sympy")
 RELATIONS = {n: getattr(sp, n) for n in ("Eq", "Ne", "Gt", "Ge", "Lt", "Le")}
 COMPARE = {ast.Gt: sp.Gt, ast.GtE: sp.Ge, ast.Lt: sp.Lt, ast.LtE: sp.Le}
+COMPARE |= {ast.Eq: sp.Eq, ast.NotEq: sp.Ne}
 CONSTANTS = {"pi": sp.pi, "E": sp.E, "oo": sp.oo}
 MATRIX = {"inv": sp.Inverse, "det": sp.Determinant, "trace": sp.Trace, "transpose": sp.Transpose}
 SCOPED = {"Sum": sp.Sum, "Product": sp.Product, "Integral": sp.Integral}
-SPECIAL = ["sqrt", *SCOPED, "Derivative", "Subs", "Matrix", "eye", "Trace", "det", "And", "Or"]
+SPECIAL = ["sqrt", *SCOPED, "Derivative", "Subs", "Limit", "Piecewise", "And", "Or", "Not"]
+SPECIAL += ["Matrix", "eye", "diag", "Trace", "det", "inv", "transpose", "norm", "cross", "skew"]
 
 
 class Unreadable(ValueError):
@@ -44,6 +55,16 @@ def is_matrix(w):
 def is_claim(w):
     """Whether `w` is an equation or inequality, not a formula."""
     return isinstance(w, sp.Rel | sp.And | sp.Or | sp.Not | BooleanAtom)
+
+
+def is_inequality(w):
+    """Whether `w` is a single claim with <, <=, > or >=."""
+    return isinstance(w, sp.Gt | sp.Ge | sp.Lt | sp.Le)
+
+
+def sides(w):
+    """Return the two sides of an equation or inequality."""
+    return w.args
 
 
 def read(line, kinds):
@@ -66,7 +87,7 @@ class _Reader:
         if len(text) > MAX_TEXT:
             raise Unreadable(f"the line has {len(text)} characters; the limit is {MAX_TEXT}")
         try:
-            tree = ast.parse(text.strip(), mode="eval")
+            tree = ast.parse(text.strip().translate(UNICODE), mode="eval")
         except (SyntaxError, ValueError, MemoryError, RecursionError, OverflowError) as error:
             raise Unreadable(_hint(text, error)) from None
         try:
@@ -88,7 +109,7 @@ class _Reader:
         return result
 
     def number(self, node):
-        return _scalar(self.build(node))
+        return scalar(self.build(node))
 
     def matrix(self, node, square=False):
         w = self.build(node)
@@ -99,6 +120,8 @@ class _Reader:
         return w
 
     def _Constant(self, node):
+        if type(node.value) is bool:
+            return sp.true if node.value else sp.false
         if type(node.value) is int:
             return sp.Integer(node.value)
         if type(node.value) is float and abs(node.value) < 1e300:
@@ -107,11 +130,11 @@ class _Reader:
 
     def _Name(self, node):
         name, kind = node.id, self.kinds.get(node.id)
-        if kind in SHAPES:
-            return sp.MatrixSymbol(name, *SHAPES[kind])
-        if kind in ("seq", "function"):
-            how = f"{name}[i]" if kind == "seq" else f"{name}(...)"
-            raise Unreadable(f"{name} is a {'sequence' if kind == 'seq' else kind}: write {how}")
+        if isinstance(kind, tuple):
+            return sp.MatrixSymbol(name, *kind)
+        if kind in ("sequence", "function") and name not in self.bound:
+            how = f"{name}[i]" if kind == "sequence" else f"{name}(...)"
+            raise Unreadable(f"{name} is a {kind}: write {how}")
         if kind or name in self.bound:
             return sp.Symbol(name)
         if name in CONSTANTS:
@@ -138,15 +161,30 @@ class _Reader:
                     parts.append(turned(w) if isinstance(node.op, ast.Sub | ast.Div) else w)
                     node = node.left
                 return join([self.build(node), *parts[::-1]])
+        if isinstance(node.op, ast.Mod):
+            return FUNCTIONS["Mod"](self.number(node.left), self.number(node.right), evaluate=False)
         if isinstance(node.op, ast.BitXor):
             raise Unreadable("^ is not a power: write ** instead")
         raise Unreadable(f"the operator {type(node.op).__name__} is not part of a formula")
 
     def _Compare(self, node):
-        if len(node.ops) != 1 or type(node.ops[0]) not in COMPARE:
-            raise Unreadable("write an equation as Eq(left, right), one comparison to a line")
-        sides = self.build(node.left), self.build(node.comparators[0])
-        return _relation(COMPARE[type(node.ops[0])], *sides)
+        if any(type(op) not in COMPARE for op in node.ops):
+            raise Unreadable(
+                "write an equation as left == right, an inequality with <, <=, > or >="
+            )
+        parts = [self.build(x) for x in (node.left, *node.comparators)]
+        links = [_relation(COMPARE[type(op)], *parts[k : k + 2]) for k, op in enumerate(node.ops)]
+        return links[0] if len(links) == 1 else sp.And(*links, evaluate=False)
+
+    def _BoolOp(self, node):
+        kind = sp.And if isinstance(node.op, ast.And) else sp.Or
+        return kind(*[self.claim(x) for x in node.values], evaluate=False)
+
+    def claim(self, node):
+        w = self.build(node)
+        if not is_claim(w):
+            raise Unreadable(f"{w} is a formula where an equation or inequality is needed")
+        return w
 
     def _Attribute(self, node):
         module = getattr(node.value, "id", None)
@@ -160,13 +198,13 @@ class _Reader:
     def _Subscript(self, node):
         where = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
         index = [self.number(k) for k in where]
-        if isinstance(node.value, ast.Name) and self.kinds.get(node.value.id) == "seq":
+        if isinstance(node.value, ast.Name) and self.kinds.get(node.value.id) == "sequence":
             return sp.IndexedBase(node.value.id)[tuple(index) if len(index) > 1 else index[0]]
         w = self.matrix(node.value)
         if len(index) == 1 and w.shape[1] == 1:
             index.append(sp.Integer(0))
         inside = [k.is_Integer and 0 <= k < n for k, n in zip(index, w.shape, strict=False)]
-        if len(index) != 2 or not all(inside):
+        if len(index) != 2 or not (all(inside) or _sizes(w)):
             shape = f"{w.shape[0]} x {w.shape[1]}"
             raise Unreadable(f"entries of a {shape} matrix are written M[row, column], from 0")
         return _entry(w, *index)
@@ -191,10 +229,12 @@ class _Reader:
             if name == "log" and len(values) == 2:
                 return _times([sp.log(values[0], evaluate=False), _over(sp.log(values[1]))])
             return FUNCTIONS[name](*values, evaluate=False)
+        if name in ("E", "Var", "Cov", "mean") or (name == "P" and "P" not in self.kinds):
+            raise Unreadable(f"{name}(...) is not known: write a mean as an Integral or a Sum")
         if name in RELATIONS:
             return _relation(RELATIONS[name], *[self.build(a) for a in _counted(node, 2, 2)])
         if name in SCOPED:
-            return self.scoped(node, SCOPED[name])
+            return self.scoped(node, SCOPED[name], name)
         if name not in SPECIAL:
             raise Unreadable(_unknown(name, self.kinds))
         return getattr(self, "make_" + name)(node)
@@ -203,16 +243,65 @@ class _Reader:
         return _power(self.build(*_counted(node, 1, 1)), sp.Rational(1, 2))
 
     def make_And(self, node):
-        return sp.And(*[self.build(a) for a in _counted(node, 1, 9)], evaluate=False)
+        return sp.And(*[self.claim(a) for a in _counted(node, 1, 9)], evaluate=False)
 
     def make_Or(self, node):
-        return sp.Or(*[self.build(a) for a in _counted(node, 1, 9)], evaluate=False)
+        return sp.Or(*[self.claim(a) for a in _counted(node, 1, 9)], evaluate=False)
+
+    def make_Not(self, node):
+        return sp.Not(self.claim(*_counted(node, 1, 1)), evaluate=False)
+
+    def make_Piecewise(self, node):
+        cases = []
+        for pair in _counted(node, 1, 9):
+            parts = getattr(pair, "elts", [])
+            if len(parts) != 2:
+                raise Unreadable("write Piecewise((formula, condition), ..., (formula, True))")
+            cases.append((self.number(parts[0]), self.claim(parts[1])))
+        return sp.Piecewise(*cases, evaluate=False)
+
+    def make_Limit(self, node):
+        body, name, target, *side = _counted(node, 3, 4)
+        if not isinstance(name, ast.Name):
+            raise Unreadable("write Limit(formula, letter, value)")
+        target = self.number(target)
+        side = getattr(side[0], "value", None) if side else "+-"
+        if side not in ("+", "-", "+-"):
+            raise Unreadable('the side of a Limit is "+" or "-"')
+        if target in (sp.oo, -sp.oo):
+            side = "-" if target == sp.oo else "+"
+        self.bound.append(name.id)
+        body = self.number(body)
+        self.bound.pop()
+        return sp.Limit(body, sp.Symbol(name.id), target, side)
 
     def make_Trace(self, node):
         return sp.Trace(self.matrix(*_counted(node, 1, 1), square=True))
 
     def make_det(self, node):
         return sp.Determinant(self.matrix(*_counted(node, 1, 1), square=True))
+
+    def make_inv(self, node):
+        return sp.Inverse(self.matrix(*_counted(node, 1, 1), square=True))
+
+    def make_transpose(self, node):
+        return sp.Transpose(self.matrix(*_counted(node, 1, 1)))
+
+    def make_norm(self, node):
+        v = self.matrix(*_counted(node, 1, 1))
+        return _power(_times([sp.Transpose(v), v]), sp.Rational(1, 2))
+
+    def make_diag(self, node):
+        entries = [self.number(a) for a in _counted(node, 1, 6)]
+        n = range(len(entries))
+        return sp.ImmutableMatrix([[entries[i] if i == j else 0 for j in n] for i in n])
+
+    def make_cross(self, node):
+        u, v = (self.matrix(a) for a in _counted(node, 2, 2))
+        return _times([_skew(u), v])
+
+    def make_skew(self, node):
+        return _skew(self.matrix(*_counted(node, 1, 1)))
 
     def make_eye(self, node):
         n = self.build(*_counted(node, 1, 1))
@@ -227,7 +316,7 @@ class _Reader:
             raise Unreadable("write Matrix([[a, b], [c, d]]) or Matrix([a, b]), at most 6 x 6")
         return sp.ImmutableMatrix([[self.number(x) for x in row] for row in rows])
 
-    def scoped(self, node, kind):
+    def scoped(self, node, kind, name):
         """Sum, Product and Integral: (expression, (variable, low, high), ...), outermost last."""
         limits, outside = [], len(self.bound)
         for limit in node.args[:0:-1]:
@@ -238,7 +327,6 @@ class _Reader:
             self.bound.append(parts[0].id)
             limits.append((sp.Symbol(parts[0].id), *ends))
         if not limits or len(limits) != len(node.args) - 1:
-            name = node.func.id
             raise Unreadable(f"{name} needs limits: {name}(expression, (variable, from, to))")
         body = self.number(node.args[0])
         del self.bound[outside:]
@@ -255,7 +343,13 @@ class _Reader:
             variables += [x] * int(min(n, 9))
         if len(variables) > 6 or not all(isinstance(v, sp.Symbol | sp.Indexed) for v in variables):
             raise Unreadable("a derivative is taken by one variable at a time, at most six times")
-        return sp.Derivative(self.number(node.args[0]), *variables)
+        body = self.build(node.args[0])
+        if is_matrix(body) and tuple(body.shape) != (1, 1):
+            rows, columns = map(int, body.shape)
+            return sp.ImmutableMatrix(
+                rows, columns, lambda i, j: sp.Derivative(_entry(body, i, j), *variables)
+            )
+        return sp.Derivative(scalar(body), *variables)
 
     def make_Subs(self, node):
         body, name, value = _counted(node, 3, 3)
@@ -275,11 +369,24 @@ def _counted(node, low, high):
     return node.args
 
 
+def _skew(v):
+    """Return the matrix that turns a cross product with `v` into a matrix product."""
+    if tuple(v.shape) != (3, 1):
+        raise Unreadable("cross and skew are for vectors of three components")
+    x, y, z = (_entry(v, sp.Integer(k), sp.Integer(0)) for k in range(3))
+    return sp.ImmutableMatrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def _sizes(w):
+    """Whether the size of `w` is a symbol."""
+    return any(not n.is_Integer for n in map(sp.sympify, w.shape))
+
+
 def _entry(w, i, j):
     return w[i, j] if isinstance(w, sp.MatrixBase) else MatrixElement(w, i, j)
 
 
-def _scalar(w):
+def scalar(w):
     """Return `w` as a number: a 1 x 1 matrix is its entry."""
     if is_claim(w):
         raise Unreadable("an equation cannot stand inside a formula")
@@ -294,7 +401,7 @@ def alike(parts):
     """Return `parts`, all numbers or all matrices of one shape."""
     shapes = {tuple(w.shape) if is_matrix(w) else (1, 1) for w in parts}
     if shapes == {(1, 1)} or any(is_claim(w) for w in parts):
-        return [_scalar(w) for w in parts]
+        return [scalar(w) for w in parts]
     if len(shapes) > 1:
         names = ["a number" if s == (1, 1) else f"a {s[0]} x {s[1]} matrix" for s in sorted(shapes)]
         raise Unreadable(f"the shapes do not fit: {' and '.join(names)}")
@@ -321,7 +428,7 @@ def _plus(parts):
 
 def _times(parts):
     if not any(is_matrix(w) for w in parts):
-        parts = [_scalar(w) for w in parts]
+        parts = [scalar(w) for w in parts]
         if len(parts) == 2 and parts[0].is_Integer and isinstance(parts[1], sp.Pow):
             base, exponent = parts[1].args
             if base.is_Integer and exponent == -1:
@@ -332,12 +439,12 @@ def _times(parts):
         shape = tuple(w.shape) if is_matrix(w) else None
         before = factors and (factors[0].shape[0], factors[-1].shape[1])
         if shape is None or (before and shape == (1, 1) != before[1:] + (1,)):
-            scalars.append(_scalar(w))
+            scalars.append(scalar(w))
         elif before and before[1] != shape[0]:
             if before != (1, 1):
                 fit = f"{before[0]} x {before[1]} times {shape[0]} x {shape[1]}"
                 raise Unreadable(f"the shapes do not fit: {fit}; is a .T missing?")
-            scalars.append(_scalar(sp.MatMul(*factors, evaluate=False)))
+            scalars.append(scalar(sp.MatMul(*factors, evaluate=False)))
             factors = [w]
         else:
             factors.append(w)
@@ -359,7 +466,7 @@ def _over(w):
 
 
 def _power(base, exponent):
-    exponent = _scalar(exponent)
+    exponent = scalar(exponent)
     if is_matrix(base) and tuple(base.shape) != (1, 1):
         if base.shape[0] != base.shape[1]:
             raise Unreadable("only a square matrix has powers")
@@ -368,7 +475,7 @@ def _power(base, exponent):
         if not (exponent.is_Integer and 1 <= exponent <= 6):
             raise Unreadable("a power of a matrix is a whole number from 1 to 6, or .inv()")
         return sp.MatMul(*[base] * int(exponent), evaluate=False)
-    base = _scalar(base)
+    base = scalar(base)
     if base == 0 and exponent.is_Number and exponent < 0:
         raise Unreadable("division by zero")
     return sp.Pow(base, exponent, evaluate=False)
@@ -387,7 +494,7 @@ def _hint(text, error):
         (r"^\s*$", "the line is empty"),
         (r"\blambda\b", "lambda is a reserved word: call it lam"),
         (r"(?<![\w.])\d+(\.\d+)?(?![eE][+-]?\d)[A-Za-z_]", "a product needs its sign: 2*x, not 2x"),
-        (r"(?<![=<>!])=(?!=)", "write an equation as Eq(left, right)"),
+        (r"(?<![=<>!])=(?!=)", "write an equation as left == right, or Eq(left, right)"),
     ):
         if re.search(pattern, text):
             return hint
@@ -406,6 +513,51 @@ def tidy(w):
     return w.func(*args, evaluate=False) if isinstance(w, sp.Rel) else w.func(*args)
 
 
+def rebuild(w, leaf):
+    """Return `w` with the nodes exchanged for which `leaf` returns one, all else as written."""
+    new = leaf(w)
+    if new is not None:
+        return new
+    if not w.args or (w.is_Atom and not isinstance(w, sp.Indexed)):
+        return w
+    if isinstance(w, sp.MatrixBase):
+        return w.applyfunc(lambda x: rebuild(x, leaf))
+    args = [rebuild(a, leaf) for a in w.args]
+    if all(a is b for a, b in zip(args, w.args, strict=True)):
+        return w
+    kept = sp.Add | sp.Mul | sp.Pow | sp.MatAdd | sp.MatMul | sp.Rel | sp.And | sp.Or | sp.Piecewise
+    keep = isinstance(w, kept) or (isinstance(w, sp.Function) and not isinstance(w, AppliedUndef))
+    return w.func(*args, evaluate=False) if keep else w.func(*args)
+
+
+def apart(w):
+    """Return `w` with every bound letter exchanged for one that nothing else is called.
+
+    Not those of Subs, which SymPy takes for equal whatever their letters are.
+    """
+
+    def leaf(x):
+        if isinstance(x, sp.Sum | sp.Product | sp.Integral):
+            swap, limits = {}, []
+            for letter, *ends in x.limits[::-1]:  # the outermost first: inner ends may use it
+                ends = [renamed(apart(e), swap) for e in ends]
+                swap = {**swap, letter: sp.Dummy(letter.name)}
+                limits.append((swap[letter], *ends))
+            return x.func(renamed(apart(x.function), swap), *limits[::-1])
+        if isinstance(x, sp.Limit):
+            body, letter, target, side = x.args
+            new = sp.Dummy(letter.name)
+            return sp.Limit(renamed(apart(body), {letter: new}), new, apart(target), str(side))
+        return None
+
+    return rebuild(w, leaf)
+
+
+def renamed(w, swap):
+    """Return `w` with some symbols exchanged, everything else as written."""
+    return rebuild(w, lambda x: swap.get(x) if x.is_Symbol else None) if swap else w
+
+
 def vet(w, kinds):
     """Refuse what is too large to work on and what is not declared, in text and SymPy objects."""
     from .evaluating import Undefined, Unreliable, magnitude_ok
@@ -418,13 +570,19 @@ def vet(w, kinds):
             raise Unreadable("the line contains a value that is not defined, such as 1/0")
         if isinstance(node, sp.Sum | sp.Product | sp.Integral | sp.Subs):
             bound |= {v.name for v in node.variables}
+        if isinstance(node, sp.Limit):
+            bound.add(node.args[1].name)
         if isinstance(node, sp.Sum | sp.Product):
             for _, low, high in node.limits:
                 if (high - low).is_Integer and high - low > MAX_TERMS:
                     raise Unreadable(
                         f"a sum of more than {MAX_TERMS} terms needs a symbol as limit"
                     )
-        if type(node) is sp.Symbol and node.name not in kinds and node.name not in bound:
+        if (
+            type(node) is sp.Symbol
+            and node.name not in (*kinds, "+", "-", "+-")
+            and node.name not in bound
+        ):
             raise Unreadable(_unknown(node.name, kinds))
         part, limit = None, 1e300
         if isinstance(node, sp.Pow) and node.base.free_symbols and not node.exp.free_symbols:

@@ -23,10 +23,10 @@ sys.path.insert(0, str(HERE.parent.parent))
 import sympy as sp  # noqa: E402
 
 from amrmetrics.derivation import check_step, reading  # noqa: E402
-from amrmetrics.derivation.checking import _Step  # noqa: E402
+from amrmetrics.derivation.checking import Step  # noqa: E402
 
 CLAIM = re.compile(r"(Eq|Gt|Ge|Lt|Le|Or|And)\(")
-CORPORA = ["public", "own"]
+CORPORA = ["public", "public_2", "own", "own_2"]
 
 
 def load(name):
@@ -34,12 +34,14 @@ def load(name):
     return json.loads(path.read_text(encoding="utf-8"))
 
 
+def relation(step):
+    return step.get("rel", step.get("relation", "iff"))
+
+
 def check(step, seed=0, **changes):
     s = {**step, **changes}
     start = time.perf_counter()
-    verdict = check_step(
-        s["before"], s["after"], s["symbols"], s.get("rel", "iff"), s.get("unknown"), seed
-    )
+    verdict = check_step(s["before"], s["after"], s["symbols"], relation(s), s.get("unknown"), seed)
     return verdict, time.perf_counter() - start
 
 
@@ -135,7 +137,7 @@ def mutants(step):
 def equivalent(step, mutant):
     """Whether a mutant says the same as the line it came from, by plain floats alone."""
     try:
-        one = _Step(step["after"], mutant, step["symbols"], "iff", step.get("unknown"), 0)
+        one = Step(step["after"], mutant, step["symbols"], "iff", step.get("unknown"), 0)
     except ValueError:
         return False
     rng = random.Random(5)
@@ -181,7 +183,7 @@ def rewrites(step):
     found = [("reordered", ast.unparse(tree))] if mutation.seen >= 0 else []
     if CLAIM.match(text):
         return found
-    one = _Step(text, text, symbols, "iff", None, 0)
+    one = Step(text, text, symbols, "iff", None, 0)
     value = one.model.evaluated(one.after)
     plain = {s: sp.Symbol(s.name) for s in value.free_symbols if type(s) is sp.Symbol}
     if any(n not in symbols for n in map(str, plain.values())):
@@ -390,7 +392,7 @@ def objects(names, seeds):
     tally = Tally("as SymPy objects")
     for s in (s for name in names for s in load(name)):
         kinds = s["symbols"]
-        one = _Step(s["before"], s["after"], kinds, s.get("rel", "iff"), s.get("unknown"), 0)
+        one = Step(s["before"], s["after"], kinds, relation(s), s.get("unknown"), 0)
         lines = [None if not s[k] else reading.read(s[k], kinds) for k in ("before", "after")]
         built = None if lines[0] is None or not one.formulas else one.model.evaluated(lines[1])
         names = set() if built is None else {v.name for v in built.free_symbols if v.is_Symbol}
@@ -453,7 +455,7 @@ def alternatives(names):
     steps = [s for name in names for s in load(name)]
     formulas = []
     for s in steps:
-        one = _Step(s["before"], s["after"], s["symbols"], s.get("rel", "iff"), None, 0)
+        one = Step(s["before"], s["after"], s["symbols"], relation(s), None, 0)
         if one.formulas:
             formulas.append((s, one))
     for name, checker in rows.items():

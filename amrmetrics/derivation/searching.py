@@ -1,0 +1,696 @@
+"""Looking for a counterexample: many points, every edge, and downhill to where a claim fails."""
+
+import random
+import time
+from fractions import Fraction
+from itertools import pairwise
+
+import sympy as sp
+from mpmath import libmp
+from sympy.core.function import AppliedUndef
+
+from .arithmetic import Imprecise, Undefined, Unreliable, as_float, sign
+from .breaks import breaks, minus
+from .domains import LARGE, Index, NoRoom, exact, rational
+from .evaluating import (
+    BENT,
+    SCOPES,
+    Budget,
+    Point,
+    compare,
+    determinant,
+    flat,
+    inverse,
+    magnitude,
+    product,
+    truth,
+    value,
+)
+from .limits import bounded
+from .reading import is_claim, is_inequality, is_matrix
+
+STYLES = ["small"] * 7 + ["fraction"] * 8 + ["wild"] * 6 + ["edge"] * 5
+PRECISIONS = (200, 800)
+ROUGH = sp.Integral | sp.Limit
+SOFT = ("pair", "kink")  # what is undefined so is a condition of the step, never a refutation
+HALF = ("nonnegative", "positive", "unit", "piecewise")  # fails on a whole part of the domain
+FAILURES = (Unreliable, OverflowError)
+LONG = 40  # sums of more terms are tried at few points only
+
+
+class Root:
+    """A zero of `g` in the variable `name`, known to lie between two ends."""
+
+    def __init__(self, g, name, low, high):
+        self.g, self.name, self.low, self.high = g, name, low, high
+
+    def at(self, point):
+        """Return a narrow interval in which `g` changes its sign."""
+        a = point.arithmetic
+
+        def f(x):
+            return a.number(value(self.g, point.bind(self.name, _exact(x))))
+
+        ends = [a.number(x) for x in (self.low, self.high)]
+        try:
+            x = a.mp.findroot(f, ends, solver="anderson", verify=False)
+        except (ValueError, ZeroDivisionError, Undefined):
+            raise Unreliable("a root that cannot be refined") from None
+        radius = (abs(x) + a.mp.mpf(10) ** -9) * a.mp.mpf(2) ** (-2 * a.prec // 3)
+        signs = [
+            sign(value(self.g, point.bind(self.name, _exact(x + s * radius)))) for s in (1, -1)
+        ]
+        if not (signs[0] and signs[1]) or signs[0] == signs[1]:
+            raise Unreliable("a root without a change of sign")
+        return a.around(x, radius)
+
+    @property
+    def start(self):
+        return self.low
+
+
+class Solved:
+    """The solution of one equation for a vector or a matrix: given outright, or linear."""
+
+    def __init__(self, equation, symbol, shape):
+        self.equation, self.symbol, self.shape, self.start = equation, symbol, shape, None
+
+    def at(self, point):
+        name = self.symbol.name
+        for one, other in (self.equation.args, self.equation.args[::-1]):
+            if one == self.symbol and not other.has(one):
+                self.start = value(other, point)
+                return self.start
+        if self.shape[1] != 1:
+            raise Unreliable("not a vector")
+        n, a = int(self.shape[0]), point.arithmetic
+
+        def f(xs):
+            moved = point.bind(name, [[x] for x in xs])
+            left, right = (flat(value(w, moved)) for w in self.equation.args)
+            return [a.subtract(x, y) for x, y in zip(left, right, strict=True)]
+
+        unit = [[Fraction(int(i == k)) for i in range(n)] for k in range(n)]
+        zero = f([Fraction(0)] * n)
+        columns = [[a.subtract(x, y) for x, y in zip(f(e), zero, strict=True)] for e in unit]
+        if len(zero) != n or sign(determinant(columns, a)) == 0:
+            raise Unreliable("no unique solution")
+        right = [[a.negative(z) for z in zero]]
+        solution = product(right, inverse(columns, a), a)[0]
+        if any(sign(x) for x in f(solution)):
+            raise Unreliable("not linear")
+        self.start = [[x] for x in solution]
+        return self.start
+
+
+class Search:
+    """Everything tried for one step; `found` is set when it is refuted."""
+
+    def __init__(self, before, after, domains, seed, relation="iff", unknown=None):
+        self.before, self.after, self.seed = before, after, seed
+        self.relation, self.unknown = relation, unknown
+        self.lines = [w for w in (before, after) if w is not None]
+        used = set().union(*map(names_in, self.lines))
+        self.domains, self.dependent = _in_order(domains, used)
+        self.everything = domains
+        for f in set().union(*(w.atoms(AppliedUndef) for w in self.lines)):
+            domains[f.func.__name__].arguments = len(f.args)
+        self.rough = any(w.has(*ROUGH.__args__) or w.has(sp.oo) for w in self.lines)
+        # Differences and quadratures have an error that does not shrink with the value itself.
+        slopes = any(w.has(sp.Derivative) for w in self.lines)
+        self.floor = 1e-3 if self.rough else 1e-12 if slopes else 0.0
+        self.sizes = {
+            n
+            for n in set().union(*map(_sizes, self.lines)) & self.domains.keys()
+            if not isinstance(self.domains[n], Index)
+        }
+        nested = any(x.function.has(sp.Integral) for w in self.lines for x in w.atoms(sp.Integral))
+        nested = nested or any(len(x.limits) > 1 for w in self.lines for x in w.atoms(sp.Integral))
+        self.budget, self.bits = Budget(500_000 if nested else 200_000), 14 if nested else 24
+        self.end = time.monotonic() + 4
+        self.points, self.enlarged, self.undefined = 0, 0, 0
+        self.found = None
+        self.suspect = False  # a difference was seen that a second look has not settled
+        self.closest = []  # (relative margin, values) of an inequality
+        self.places = set()
+        self.known = {}
+
+    # ---- points ------------------------------------------------------------------------------
+
+    def draw(self, k, style, longest=None):
+        """Return values by name; under "" stand the number of the point and its style."""
+        rng = random.Random(f"{self.seed}/{k}/{style}")
+        longest = longest or (LONG if k % 5 else 300)
+        values = {"": (k, style, 7)}
+        for name, domain in self.domains.items():
+            if domain.kind == "sequence":
+                continue
+            if isinstance(domain, Index):
+                sizes = [values[n] for n in self.sizes if n in values]
+                values[""] = (k, style, max(sizes, default=7))
+            if domain.whole:
+                cap = longest if name in self.sizes or self.rough else 10**7
+                values[name] = domain.draw(rng, style, values, cap)
+            else:
+                values[name] = domain.draw(rng, style, values)
+        return values
+
+    def valid(self, values):
+        """Whether values that were changed one by one still fit together."""
+        sizes = [values[n] for n in self.sizes if n in values]
+        for name, domain in self.domains.items():
+            if isinstance(domain, Index):
+                if sizes and not 1 <= values[name] <= max(sizes):
+                    return False
+            elif name in self.dependent and not domain.contains(values[name], values):
+                return False
+        return True
+
+    def point(self, values, prec):
+        k, style, _ = values[""]
+        entries = {}
+
+        def entry(name, index, at):
+            if (name, index) not in entries:
+                rng = random.Random(f"{self.seed}/{k}/{name}/{index}")
+                entries[name, index] = self.everything[name].element.draw(rng, style, values)
+            return number(entries[name, index], at.arithmetic)
+
+        def make(a):
+            return {
+                n: number(v, a) for n, v in values.items() if n and not isinstance(v, Root | Solved)
+            }
+
+        at = Point(make, entry, prec, self.budget)
+        at.known = self.known.setdefault((prec, str(values)), {}) if self.rough else {}
+        self.entries = entries
+        for name, v in values.items():
+            if isinstance(v, Root | Solved):
+                at = at.bind(name, v.at(at), v.at)
+        return at
+
+    def expired(self):
+        return self.budget.left < 0 or time.monotonic() > self.end
+
+    def everywhere(self):
+        """Yield (kind of place, values) from the plain to the remote."""
+        styles = ["small", "fraction", "fraction"] * 3 if self.rough else STYLES
+        if is_claim(self.after) and self.before is not None:  # each is solved for its unknowns, too
+            styles = STYLES[:11:2] + STYLES[15::2]
+        if not self.domains:
+            styles = styles[:1]
+        for k, style in enumerate(styles):
+            yield style, self._drawn(k, style)
+        yield from self._zeros()
+        yield from self._whole_numbers()
+        yield from self._at_breaks(self.lines)
+
+    def _drawn(self, k, style):
+        for again in range(4):
+            try:
+                return self.draw(k + 1000 * again, style)
+            except NoRoom:  # one name leaves no room for another
+                continue
+        return None
+
+    def _zeros(self):
+        free = [n for n, d in self.domains.items() if d.real and d.contains(0)]
+        for k, chosen in enumerate([free, *([n] for n in free[:5])] if free else []):
+            values = self._drawn(200 + k, "fraction")
+            if values:
+                yield "zero", {**values, **dict.fromkeys(chosen, Fraction(0))}
+
+    def _whole_numbers(self):
+        names = [n for n, d in self.domains.items() if d.whole and d.low.is_number]
+        for name in names[:3]:
+            low = self.domains[name].low
+            if low == -sp.oo:
+                continue
+            stepped = any(w.has(sp.Mod, sp.floor, sp.ceiling) for w in self.lines)
+            alone = len(self.domains) == 1 and not self.sizes
+            count = 4 if self.rough else 24 if not alone else 4000 if stepped else 1000
+            near = [int(low) + k for k in range(count)]
+
+            far = [] if self.rough or name in self.sizes else [k for k in LARGE if k >= low]
+            for k, n in enumerate(near + far):
+                values = self._drawn(400 + k % 6, "fraction")
+                if values and self.domains[name].contains(n, values):
+                    yield "whole", {**values, name: Fraction(n)}
+
+    def _at_breaks(self, lines):
+        """Points on, and on both sides of, every place where something can happen."""
+        formulas = list(dict.fromkeys(g for w in lines for g in breaks(w)))[:12]
+        for k, g in enumerate(formulas):
+            for name in sorted(names_in(g) & self.domains.keys()):
+                if not self.domains[name].real:
+                    continue
+                for style in ("small", "fraction"):
+                    values = self._drawn(500 + k, style)
+                    if values is None or self.expired():
+                        return
+                    yield from (("break", p) for p in self._around(g, name, values))
+
+    def _around(self, g, name, values):
+        for r in self.roots(g, name, values):
+            yield {**values, name: r}
+            x = r.low if isinstance(r, Root) else exact(sp.Rational(str(sp.N(r, 12))))
+            x = x if isinstance(x, Fraction) else Fraction(as_float(x))
+            near = [x * Fraction(k, 1000) for k in (500, 999, 1001, 1500)]
+            near += [x + Fraction(k, 7) for k in (-1, 1)]
+            ends = [getattr(self.domains[name], e) for e in ("low", "high")]
+            near += [(x + rational(e)) / 2 for e in ends if e.is_number and e.is_finite]
+            for y in near:
+                if self.domains[name].contains(sp.Rational(y), values):
+                    yield {**values, name: y}
+
+    # ---- roots -------------------------------------------------------------------------------
+
+    def roots(self, g, name, values):
+        """Return the zeros of `g` in the variable `name`: exact ones, or intervals."""
+        domain = self.domains[name]
+        others = {n: v for n, v in values.items() if n != name}
+        known = exact_roots(g, name, others)
+        if known is not None:
+            return [exact(r) for r in known if domain.contains(r, values)][:6]
+        try:
+            at = self.point({"": values[""], **others}, 120)
+            return self._scan(g, name, at, domain, values)
+        except (Undefined, *FAILURES):
+            return []
+
+    def _scan(self, g, name, at, domain, values):
+        def height(x):
+            try:
+                return value(g, at.bind(name, x))
+            except (Undefined, Unreliable):
+                return None
+
+        xs = self._places(g, domain, values)
+        heights = [height(x) for x in xs]
+        signs = [None if h is None else sign(h) for h in heights]
+        sizes = [float("inf") if h is None else abs(as_float(h)) for h in heights]
+        k = min(range(len(xs)), key=lambda k: sizes[k])
+        if 0 < k < len(xs) - 1 and signs[k] and signs[k - 1] == signs[k] == signs[k + 1]:
+            x = _lowest(lambda x: abs(as_float(height(x) or Fraction(10**9))), xs[k - 1], xs[k + 1])
+            h = height(x)
+            if h is not None and sign(h) not in (None, signs[k]):
+                xs[k], signs[k] = x, sign(h)
+        found = []
+        for (x, s), (y, t) in pairwise(zip(xs, signs, strict=True)):
+            if s == 0:
+                found.append(x)
+            elif s and t and s != t:
+                ends = [_exact(at.arithmetic.mp.make_mpf(e)) for e in Root(g, name, x, y).at(at)]
+                steep = abs(as_float(value(g, at.bind(name, ends[0]))))
+                if steep < 1e-9 * (1 + max(sizes[k] for k in (xs.index(x), xs.index(y)))):
+                    found.append(Root(g, name, *ends))
+        return found[:6]
+
+    def _places(self, g, domain, values):
+        """Return where to look for changes of sign: near, far, and close together for waves."""
+        ts = [Fraction(2 * k - 37, 38) for k in range(38)]
+        ts += [Fraction(s, 10**k) for k in (2, 3, 5, 7) for s in (1, -1)]
+        ts += [s * (1 - Fraction(1, 10**k)) for k in (2, 4) for s in (1, -1)]
+        xs = {domain.stretch(t) for t in ts}
+        if g.has(sp.sin, sp.cos, sp.tan, sp.cot):
+            xs |= {
+                Fraction(k, 7) for k in range(-56, 57) if domain.contains(sp.Rational(k, 7), values)
+            }
+        return sorted(xs)
+
+    # ---- judging one point -------------------------------------------------------------------
+
+    def wrong_at(self, values, place="fraction"):
+        """Whether the step is refuted here, beyond doubt and at two precisions."""
+        if values is None or not self.valid(values):
+            return False
+        outcome = seen = None
+        for prec in PRECISIONS if self.domains else PRECISIONS[::-1]:
+            try:
+                outcome, seen = self.judge(values, prec)
+            except Imprecise:
+                continue
+            except FAILURES:
+                return False
+            except Undefined:
+                self.undefined += 1
+                return False
+            once = outcome == "wrong" and self.rough and prec == PRECISIONS[0] and self.domains
+            if outcome is not None and not once:
+                break
+            self.suspect = self.suspect or outcome == "wrong"
+        if outcome == "holds":
+            self.points += 1
+            self.places.add(place)
+            self.suspect = False if self.rough else self.suspect
+        elif outcome == "enlarged":
+            self.enlarged += place in ("small", "fraction")
+        elif outcome == "wrong":
+            self.found = values, seen, dict(self.entries)
+            return True
+        return False
+
+    def judge(self, values, prec):
+        """Return "holds", "wrong", "enlarged", "undefined" or None, and what was seen."""
+        at = self.point(values, prec)
+        if self.before is None:
+            return self._claim(at, values)
+        if is_claim(self.before):
+            return self._pair_of_claims(at)
+        return self._formulas(at)
+
+    def _formulas(self, at):
+        sides = []
+        for w in (self.before, self.after):
+            try:
+                sides.append(value(w, at))
+            except Undefined as reason:
+                sides.append(reason)
+        a, b = sides
+        if isinstance(a, Undefined) and isinstance(b, Undefined):
+            return "undefined", sides
+        if isinstance(b, Undefined):
+            return ("undefined" if b.kind in SOFT else "wrong"), ("shrunk", a, b)
+        if isinstance(a, Undefined):
+            if a.kind == "converges":
+                return "wrong", ("diverges", a, b)
+            return ("enlarged" if a.kind in HALF else "undefined"), sides
+        bits = self.bits if self.rough else at.arithmetic.prec // 2
+        same = compare(a, b, at.arithmetic, bits, libmp.from_float(self.floor))
+        if same is None:  # where terms cancel, their size counts
+            sizes = [magnitude(w, at)._mpf_ for w in (self.before, self.after)]
+            same = compare(a, b, at.arithmetic, bits, at.arithmetic.larger(*sizes))
+        return {"equal": "holds", "different": "wrong", None: None}[same], ("values", a, b)
+
+    def _claim(self, at, values):
+        """Judge a claim that must hold everywhere; one about something undefined says nothing."""
+        w = self.after
+        seen = "claim", *[value(x, at) for x in w.args if isinstance(w, sp.Rel)]
+        answer = truth(w, at)
+        if is_inequality(w):
+            a = at.arithmetic
+            margin = as_float(a.subtract(value(w.gts, at), value(w.lts, at)))
+            size = sum(abs(as_float(x)) for x in seen[1:]) or 1.0
+            self.closest.append((margin / size, values))
+            if answer is None and isinstance(w, sp.Gt | sp.Lt):
+                tied = compare(*seen[1:], a, a.prec // 2) == "equal" and self._tie(w, values)
+                answer = False if tied else None
+        return {True: "holds", False: "wrong", None: None}[answer], seen
+
+    def _tie(self, w, values):
+        """Whether both sides are the same number: shown by exact arithmetic or not at all."""
+        if self.rough or any(not isinstance(v, Fraction | sp.Expr) for n, v in values.items() if n):
+            return False
+        d = _substituted(minus(*w.args), values)
+        if d is None or sp.count_ops(d) > 100:
+            return False
+        return bounded(lambda: sp.expand(sp.together(sp.expand(d))) == 0, 0.2)[1] is True
+
+    def _pair_of_claims(self, at):
+        p, q = (self._holds(w, at) for w in (self.before, self.after))
+        lost = p is True and q is False and self.relation != "implied_by"
+        gained = p is False and q is True and self.relation != "implies"
+        if lost or gained:
+            return "wrong", ("lost" if lost else "gained", p, q)
+        if p is None or q is None:
+            return None, None
+        return "holds" if p or q else "undefined", None
+
+    def _holds(self, w, at):
+        bits = 25 if self.rough else at.arithmetic.prec // 4
+        answer = truth(w, at, bits)
+        n = self.unknown
+        if answer is False and n and self.domains[n].text == "angle" and _equations_only(w):
+            turn = at.arithmetic.multiply([Fraction(2), at.arithmetic.pi()])
+            for k in (-1, 1, -2, 2):
+                moved = at.arithmetic.add(
+                    [at.values[n], at.arithmetic.multiply([Fraction(k), turn])]
+                )
+                if truth(w, at.bind(n, moved), bits):
+                    return True
+        return answer
+
+    # ---- the whole search --------------------------------------------------------------------
+
+    def refutes(self, most=None):
+        """Return whether a point was found at which the step is wrong; `most` points are tried."""
+        for k, (place, values) in enumerate(self._candidates()):
+            if self.expired() or k == most:
+                break
+            if self.wrong_at(values, place):
+                return True
+        if most is None and self.before is None and is_inequality(self.after) and not self.rough:
+            return self._downhill()
+        return False
+
+    def _candidates(self):
+        if self.before is None or not is_claim(self.before):
+            yield from self.everywhere()
+            return
+        names = self._unknowns()
+        for place, values in self.everywhere():
+            yield place, values
+            if values is None or place in ("whole", "break", "zero"):
+                continue
+            for name in names:
+                yield from ((place, p) for p in self._solutions(name, values))
+
+    def _unknowns(self):
+        """Return the names to solve for: the one given, or what stands alone, then the others."""
+        if self.unknown:
+            return [self.unknown]
+        alone = [x.name for w in self.lines for e in atoms_of(w) for x in e.args if x.is_Symbol]
+        both = names_in(self.before) & names_in(self.after)
+        names = [*alone[::-1], *sorted(both), *sorted(self.domains)]
+        return [
+            n
+            for n in dict.fromkeys(names)
+            if n in self.domains and self.domains[n].kind == "number"
+        ][:2]
+
+    def _solutions(self, name, values):
+        domain = self.domains.get(name)
+        if domain is None:
+            return
+        for w in atoms_of(self.before) + atoms_of(self.after):
+            if w.func is sp.Eq and not domain.real:
+                symbols = [s for s in w.free_symbols if getattr(s, "name", None) == name]
+                if symbols and isinstance(domain.kind, tuple):
+                    yield {**values, name: Solved(w, symbols[0], domain.kind)}
+                continue
+            if not domain.real or is_matrix(w.args[0]):
+                continue
+            g = minus(*w.args)
+            if name not in names_in(g):
+                continue
+            if w.func in (sp.Eq, sp.Ne):
+                yield from ({**values, name: r} for r in self.roots(g, name, values))
+            else:
+                yield from self._around(g, name, values)
+
+    def _downhill(self):
+        """Walk from where an inequality is closest to failing to where it fails."""
+        names = [n for n, d in self.domains.items() if d.real]
+        for values in self._stationary(names):
+            if self.wrong_at(values, "downhill"):
+                return True
+        starts = sorted(self.closest, key=lambda pair: pair[0])
+        starts = [values for _, values in starts[:2]] + [self._drawn(300, "fraction")]
+        for start in starts if names else []:
+            if start is None or any(isinstance(v, Root | Solved) for v in start.values()):
+                continue
+            values = self._walk(start, names)
+            for size in (1, 2, 12, 100, 10**9):
+                plain = {n: v.limit_denominator(size) for n, v in values.items() if n in names}
+                inside = all(
+                    self.domains[n].contains(sp.Rational(v), values) for n, v in plain.items()
+                )
+                if inside and self.wrong_at({**values, **plain}, "downhill"):
+                    return True
+            if self.wrong_at(values, "downhill"):
+                return True
+        self.places.add("downhill")
+        return False
+
+    def _stationary(self, names):
+        """Yield the places where the difference of the sides is flat, if they are known exactly."""
+        difference = minus(*self.after.args)
+        if difference.has(*BENT, *SCOPES):
+            return
+        for name in names[:2]:
+            values = self._drawn(310, "small")
+            slope = difference.diff(sp.Symbol(name))
+            roots = exact_roots(slope, name, {n: v for n, v in values.items() if n != name}) or []
+            for r in roots:
+                if self.domains[name].contains(r, values):
+                    yield {**values, name: exact(r)}
+
+    def _walk(self, start, names, rounds=14):
+        ts = dict.fromkeys(names, Fraction(0))
+        for n in names:
+            ts[n] = _shrunk(self.domains[n], start[n])
+        here = {**start, **{n: self.domains[n].stretch(t) for n, t in ts.items()}}
+        scale = self._margin(here, 1.0)
+        scale = abs(scale) if 0 < abs(scale) < float("inf") else 1.0
+        best, step = self._margin(here, scale), Fraction(1, 4)
+        for _ in range(3 * rounds):
+            better = False
+            for n in names:
+                for s in (step, -step):
+                    t = max(
+                        min(ts[n] + s * (1 - abs(ts[n])), Fraction(10**9 - 1, 10**9)),
+                        -Fraction(10**9 - 1, 10**9),
+                    )
+                    moved = {**here, n: self.domains[n].stretch(t)}
+                    height = self._margin(moved, scale)
+                    if height < best:
+                        best, here, better = height, moved, True
+                        ts[n] = t
+            if best < 0 or self.expired():
+                break
+            if not better:
+                step /= 3
+                if step < Fraction(1, 10**7):
+                    break
+        return here
+
+    def _margin(self, values, scale):
+        try:
+            at = self.point(values, 90)
+            left, right = (value(x, at) for x in (self.after.gts, self.after.lts))
+            return as_float(at.arithmetic.subtract(left, right)) / scale
+        except (Undefined, *FAILURES):
+            return float("inf")
+
+
+def _exact(x):
+    return Fraction(*map(int, libmp.to_rational(x._mpf_)))
+
+
+def _shrunk(domain, x, rounds=40):
+    """Return the parameter in (-1, 1) at which `domain.stretch` gives about `x`."""
+    low, high = Fraction(-1) + Fraction(1, 10**9), Fraction(1) - Fraction(1, 10**9)
+    x = as_float(x) if isinstance(x, Fraction) else float(x)
+    rising = float(domain.stretch(high)) > float(domain.stretch(low))
+    for _ in range(rounds):
+        middle = (low + high) / 2
+        if (float(domain.stretch(middle)) < x) == rising:
+            low = middle
+        else:
+            high = middle
+    return ((low + high) / 2).limit_denominator(10**9)
+
+
+def _lowest(f, a, b, rounds=26):
+    """Golden-section search for the lowest place of `f` between `a` and `b`."""
+    share = Fraction(382, 1000)
+    for _ in range(rounds):
+        x, y = a + (b - a) * share, b - (b - a) * share
+        if f(x) < f(y):
+            b = y.limit_denominator(10**12)
+        else:
+            a = x.limit_denominator(10**12)
+    return (a + b) / 2
+
+
+def number(v, a):
+    """Return a drawn value as a number of the arithmetic `a`."""
+    if isinstance(v, Fraction | tuple | sp.Lambda):
+        return v
+    if isinstance(v, list):
+        return [[number(x, a) for x in row] for row in v]
+    if v.is_Rational:
+        return exact(v)
+    x = sp.N(v, int(a.prec * 0.31) + 10)._mpf_
+    return libmp.mpf_sub(x, _ulp(x, a), a.prec + 20, "f"), libmp.mpf_add(
+        x, _ulp(x, a), a.prec + 20, "c"
+    )
+
+
+def _ulp(x, a):
+    return libmp.mpf_shift(libmp.mpf_abs(x), -a.prec)
+
+
+def names_in(w):
+    """Return the declared names in a line: symbols, sequences and functions."""
+    names = {s.name for s in w.atoms(sp.Symbol, sp.MatrixSymbol) if not isinstance(s, sp.Dummy)}
+    names |= {f.func.__name__ for f in w.atoms(AppliedUndef)}
+    return names | {str(b.label) for b in w.atoms(sp.IndexedBase)}
+
+
+def _sizes(w):
+    """Return the names in the ends of the sums and products of a line."""
+    ends = [e for s in w.atoms(sp.Sum, sp.Product) for _, *pair in s.limits for e in pair]
+    return {x.name for e in ends for x in e.free_symbols if not isinstance(x, sp.Dummy)}
+
+
+def _in_order(domains, used):
+    """Return the domains that a step uses; a domain stands behind the names that it depends on."""
+
+    def depends(d):
+        parts = [getattr(d, "low", sp.Integer(0)), getattr(d, "high", sp.Integer(0))]
+        parts += d.kind if isinstance(d.kind, tuple) else []
+        return {s.name for p in parts for s in sp.sympify(p).free_symbols}
+
+    wanted = set(used) & domains.keys()
+    while more := set().union(*(depends(domains[n]) for n in wanted), set()) - wanted:
+        wanted |= more
+    rank = {n: (bool(depends(domains[n])), isinstance(domains[n], Index)) for n in wanted}
+    order = sorted(wanted, key=lambda n: (rank[n], list(domains).index(n)))
+    return {n: domains[n] for n in order}, {
+        n for n in wanted if rank[n][0] and domains[n].kind == "number"
+    }
+
+
+def atoms_of(w):
+    if isinstance(w, sp.And | sp.Or | sp.Not):
+        return [x for part in w.args for x in atoms_of(part)]
+    return [w] if isinstance(w, sp.Rel) else []
+
+
+def _equations_only(w):
+    return all(x.func is sp.Eq for x in atoms_of(w))
+
+
+def _substituted(g, values):
+    """Return `g` with exact numbers for the symbols, or None where it has more than that."""
+    if g.has(
+        sp.Indexed,
+        sp.Sum,
+        sp.Product,
+        sp.Derivative,
+        sp.Subs,
+        sp.Piecewise,
+        AppliedUndef,
+        *ROUGH.__args__,
+    ):
+        return None
+    swap = {}
+    for s in g.free_symbols:
+        v = values.get(getattr(s, "name", None))
+        if isinstance(s, sp.MatrixSymbol):
+            return None
+        if v is not None:
+            if not isinstance(v, Fraction | sp.Expr):
+                return None
+            swap[s] = sp.Rational(v) if isinstance(v, Fraction) else v
+    return g.subs(swap).doit()
+
+
+def exact_roots(g, name, values):
+    """Return the real roots of `g` in `name` if it is a rational function of it, else None."""
+
+    def solve():
+        e = _substituted(g, values)
+        if e is None:
+            return None
+        t = sp.Dummy("t", real=True)
+        e = sp.fraction(sp.together(e.subs(sp.Symbol(name), t)))[0]
+        if not e.is_polynomial(t) or e.free_symbols - {t}:
+            return None
+        p = sp.Poly(e, t)
+        if p.is_zero or p.degree() > 6 or not all(c.is_Rational for c in p.all_coeffs()):
+            return None
+        return sorted(set(sp.real_roots(p.sqf_part())), key=lambda r: abs(sp.N(r, 15)))
+
+    return bounded(solve, 0.3)[1]
