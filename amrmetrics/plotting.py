@@ -4,6 +4,8 @@ Nothing here computes a metric: the functions draw what they are given.
 """
 
 import base64
+import html
+import inspect
 import io
 
 import matplotlib.pyplot as plt
@@ -95,6 +97,92 @@ def show(fig, alt):
     )
 
 
+def explore(draw, **controls):
+    """Show sliders, and below them what `draw` shows and prints at their values.
+
+    JupyterLab calls `draw` again at every move. Where nobody moves a slider, in a page or in
+    `course.py refresh`, it is called once, so that its errors and warnings are seen.
+
+    Parameters
+    ----------
+    draw : callable
+        Called with one keyword argument for each control. It ends with `show`; what it prints
+        stands below the figure.
+    **controls
+        A slider (lowest, highest) or (lowest, highest, step); two options or more as a list; a
+        flag as True or False; or a widget of ipywidgets. A slider starts at the default that
+        `draw` has for its argument, otherwise in the middle.
+
+    Raises
+    ------
+    ValueError
+        If a control is none of these.
+
+    Examples
+    --------
+    >>> from amrmetrics import plotting
+    >>> def draw(degrees=30):
+    ...     fig, ax = plotting.plt.subplots()
+    ...     ax.plot([0, np.cos(np.radians(degrees))], [0, np.sin(np.radians(degrees))])
+    ...     plotting.show(fig, alt=f"A line of {degrees} degrees.")
+    >>> plotting.explore(draw, degrees=(-180, 180, 5))  # doctest: +SKIP
+    """
+    from IPython.display import display
+    from ipywidgets import HTML, VBox, interactive
+
+    arguments = inspect.signature(draw).parameters
+    widgets = {}
+    for name, control in controls.items():
+        default = arguments[name].default if name in arguments else inspect.Parameter.empty
+        widgets[name] = interactive.widget_from_abbrev(control, default)
+        if widgets[name] is None:
+            raise ValueError(
+                f"{name} is {control!r}; give (lowest, highest), (lowest, highest, step), a list, "
+                "True, False or a widget."
+            )
+        widgets[name].description = widgets[name].description or name
+
+    def values():
+        return {name: widget.value for name, widget in widgets.items()}
+
+    # `ipywidgets.interact` draws into an Output widget. A program that executes a notebook must
+    # play the browser for one: it answers every figure on the channel on which it waits for the
+    # end of the cell. ZeroMQ reports an arrival once, and to send takes the report too; then the
+    # cell stalls until its time limit (nbclient, issue 312). A page that only the kernel writes
+    # asks for no answer.
+    page = HTML(_page(draw, values()))
+
+    def moved(_):
+        try:
+            page.value = _page(draw, values())
+        except Exception as error:  # nobody else would show it
+            page.value = f"<pre>{html.escape(f'{type(error).__name__}: {error}')}</pre>"
+
+    for widget in widgets.values():
+        widget.observe(moved, names="value")
+    display(VBox([*widgets.values(), page]))
+
+
+def _page(draw, values):
+    """Return what a call of `draw` shows and prints, as HTML."""
+    from IPython.utils.capture import capture_output
+
+    with capture_output(stderr=False) as seen:
+        draw(**values)
+    parts = [_shown(output.data, output.metadata) for output in seen.outputs]
+    if seen.stdout:
+        parts.append(f"<pre>{html.escape(seen.stdout)}</pre>")
+    return "\n".join(parts)
+
+
+def _shown(data, metadata):
+    """Return one output of a cell, which maps types to contents, as HTML."""
+    if "image/png" in data:
+        alt = html.escape(metadata.get("image/png", {}).get("alt", ""))
+        return f'<img src="data:image/png;base64,{data["image/png"]}" alt="{alt}">'
+    return data.get("text/html", f"<pre>{html.escape(data.get('text/plain', ''))}</pre>")
+
+
 def plan(ax, **trajectories):
     """Draw trajectories from above, axes of equal scale.
 
@@ -111,7 +199,9 @@ def plan(ax, **trajectories):
     ax.legend()
 
 
-def consistency_band(ax, times, values, lower, upper, expected, confidence=0.95, name="NEES"):
+def consistency_band(
+    ax, times, values, lower, upper, expected, confidence=0.95, name="NEES", mark_outside=False
+):
     """Draw NEES or NIS over time with the band that holds them if the filter is consistent.
 
     Parameters
@@ -130,15 +220,54 @@ def consistency_band(ax, times, values, lower, upper, expected, confidence=0.95,
         Of the band, for the legend.
     name : str
         For the vertical axis.
+    mark_outside : bool
+        True draws the band over the values, and gives those outside another marker and their
+        number in the legend.
     """
     lower, upper = np.broadcast_to(lower, len(times)), np.broadcast_to(upper, len(times))
-    ax.fill_between(times, lower, upper, color=LOOK["bound"]["color"], alpha=0.15, linewidth=0)
-    ax.plot(times, lower, **LOOK["bound"] | {"label": f"{100 * confidence:g} % band"})
-    ax.plot(times, upper, **LOOK["bound"] | {"label": "_"})
-    ax.axhline(expected, **LOOK["theory"] | {"label": "expected"})
-    ax.plot(times, values, **LOOK["measured"] | {"markersize": 3})
-    ax.set(xlabel="time [s]", ylabel=name, ylim=(0, None))
+    alpha, over = (0.3, {"zorder": 3}) if mark_outside else (0.15, {})
+    ax.fill_between(times, lower, upper, color=LOOK["bound"]["color"], alpha=alpha, linewidth=0)
+    ax.plot(times, lower, **LOOK["bound"] | {"label": f"{100 * confidence:g} % band"} | over)
+    ax.plot(times, upper, **LOOK["bound"] | {"label": "_"} | over)
+    ax.axhline(expected, **LOOK["theory"] | {"label": "expected"} | over)
+    if mark_outside:
+        values = np.asarray(values, dtype=float)
+        outside = (values < lower) | (values > upper)
+        label = f"{outside.sum()} of {len(values)} outside"
+        far = {"linestyle": "none", "marker": "x", "markersize": 4, "label": label}
+        ax.plot(times, np.where(outside, np.nan, values), **LOOK["measured"] | {"markersize": 2})
+        ax.plot(times, np.where(outside, values, np.nan), **LOOK["estimate"] | far)
+    else:
+        ax.plot(times, values, **LOOK["measured"] | {"markersize": 3})
+    ax.set(xlabel="time [s]", ylabel=name)
+    if ax.get_yscale() == "linear":
+        ax.set_ylim(0, None)
     ax.legend()
+
+
+def covariance_ellipse(ax, P, nees, center=(0.0, 0.0), **look):
+    """Draw all errors in the plane that have one NEES under a covariance: an ellipse.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    P : (2, 2) array
+        Covariance, symmetric positive definite.
+    nees : float
+        The value e^T P^-1 e on the curve, > 0. A share 1 - exp(-nees / 2) of Gaussian errors
+        lies inside.
+    center : (2,) array
+        Where the error is 0.
+    **look
+        For `Axes.plot`: color, linestyle, label.
+    """
+    angle = np.linspace(0, 2 * np.pi, 181)
+    circle = np.sqrt(nees) * np.array([np.cos(angle), np.sin(angle)])
+    # P = L L^T, so e = L z has the NEES |z|^2.
+    x, y = np.linalg.cholesky(np.asarray(P, dtype=float)) @ circle
+    ax.plot(center[0] + x, center[1] + y, **look)
+    ax.set_aspect("equal")
 
 
 def chi_square(ax, values, grid, density, name="NEES"):

@@ -19,7 +19,6 @@ NUMBER_FACTS = {
     "<=0": {"nonpositive": True},
 }
 EXAMPLES = "real, >0, (0,1), angle, int>=1, seq, function, vec2, spd2, rot"
-SQUARE = ("spd", "chol", "sym", "rot")
 LARGE = [11, 12, 13, 16, 24, 25, 30, 36, 49, 97, 100, 101, 128, 341, 561, 1000, 1024, 9999, 10**4]
 LARGE += [65536, 99991, 10**5, 999983, 10**6]
 ANGLES = [sp.Integer(0), sp.pi, -sp.pi, sp.pi / 2, -sp.pi / 2, 2 * sp.pi, sp.pi / 4, 3 * sp.pi / 4]
@@ -55,7 +54,7 @@ def make(name, text, names=()):
         return Sequence(name, text, make(name, m[1] or "real", names))
     if text == "function":
         return Abstract(name, text)
-    return Matrix(name, text, names)
+    return Matrix(name, text)
 
 
 def _end(text, whole, kinds):
@@ -349,36 +348,28 @@ class Abstract(Domain):
 
 
 class Matrix(Domain):
-    """Vectors and matrices, also with a declared name as size."""
+    """Vectors and matrices of a fixed size."""
 
-    def __init__(self, name, text, names):
+    def __init__(self, name, text):
         super().__init__(name, text)
-        m = re.fullmatch(r"(vec|mat|spd|chol|sym|rot|se)(\d(?:x\d)?|\([\w,]+\))?", text)
-        if not m or (m[1] == "se") != (text == "se2"):
+        m = re.fullmatch(r"(vec|mat|spd|chol|sym|rot|se)([1-6])?(?:x([1-6]))?", text)
+        if not m or (m[1] == "se" and text != "se2") or (m[3] and m[1] != "mat"):
             raise _unknown(text)
         self.family = m[1]
-        sizes = [
-            self._size(n, text, names) for n in re.findall(r"\w+", (m[2] or "2").replace("x", ","))
-        ]
-        if self.family == "vec":
-            sizes = [*sizes, sp.Integer(1)]
-        self.kind = (sizes[0] + (self.family == "se"), sizes[-1] + (self.family == "se"))
-        self.fixed = all(n.is_Integer for n in self.kind)
-        if not self.fixed or (self.family == "rot" and self.kind[0] == 3):
-            self.symbol = sp.MatrixSymbol(name, *self.kind)
-        else:
-            self.symbol = self._explicit()
+        rows = int(m[2] or 2) + (self.family == "se")
+        self.kind = (rows, 1 if self.family == "vec" else int(m[3] or rows))
+        self.symbol = self._by_quaternion() if text == "rot3" else self._explicit()
 
-    @staticmethod
-    def _size(n, text, names):
-        if n.isdigit() and 1 <= int(n) <= 6:
-            return sp.Integer(n)
-        if n in names:
-            return sp.Symbol(n)
-        raise _unknown(text)
+    def _by_quaternion(self):
+        """Every rotation in space, by a quaternion of any length but zero."""
+        w, x, y, z = sp.symbols([f"{self.name}_{k}" for k in "wxyz"], real=True)
+        v = sp.Matrix([x, y, z])
+        cross = sp.Matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+        R = (w**2 - v.dot(v)) * sp.eye(3) + 2 * v * v.T + 2 * w * cross
+        return (R / (w**2 + x**2 + y**2 + z**2)).as_immutable()
 
     def _explicit(self):
-        rows, columns = map(int, self.kind)
+        rows, columns = self.kind
         n = self.name
 
         def entry(i, j):
@@ -416,9 +407,7 @@ class Matrix(Domain):
         return None
 
     def draw(self, rng, style, values):
-        rows, columns = (int(_placed(n, values)) for n in self.kind)
-        if max(rows, columns) > 5:
-            raise NoRoom
+        rows, columns = self.kind
 
         def number(positive=False):
             x = Fraction(rng.randint(1, 3)) if style in ("small", "edge") else fraction(rng)
@@ -459,9 +448,7 @@ class Matrix(Domain):
         return R
 
     def simple(self):
-        if not self.fixed:
-            return []
-        rows, columns = map(int, self.kind)
+        rows, columns = self.kind
         if columns == 1:
             return [[[Fraction(i + 1)] for i in range(rows)]]
         rng = random.Random(0)

@@ -339,6 +339,8 @@ class Search:
             if outcome is not None and not once:
                 break
             self.suspect = self.suspect or outcome == "wrong"
+            if once:
+                self.budget.left = max(self.budget.left, 400_000)  # for the second look
         if outcome == "holds":
             self.points += 1
             self.places.add(place)
@@ -629,7 +631,6 @@ def _in_order(domains, used):
 
     def depends(d):
         parts = [getattr(d, "low", sp.Integer(0)), getattr(d, "high", sp.Integer(0))]
-        parts += d.kind if isinstance(d.kind, tuple) else []
         return {s.name for p in parts for s in sp.sympify(p).free_symbols}
 
     wanted = set(used) & domains.keys()

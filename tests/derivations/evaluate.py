@@ -393,7 +393,8 @@ def objects(names, seeds):
     for s in (s for name in names for s in load(name)):
         kinds = s["symbols"]
         one = Step(s["before"], s["after"], kinds, relation(s), s.get("unknown"), 0)
-        lines = [None if not s[k] else reading.read(s[k], kinds) for k in ("before", "after")]
+        forms = {n: d.kind for n, d in one.domains.items()}
+        lines = [None if not s[k] else reading.read(s[k], forms) for k in ("before", "after")]
         built = None if lines[0] is None or not one.formulas else one.model.evaluated(lines[1])
         names = set() if built is None else {v.name for v in built.free_symbols if v.is_Symbol}
         for seed in seeds:
