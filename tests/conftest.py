@@ -11,7 +11,7 @@ def pytest_addoption(parser):
     parser.addoption(
         "--sweep",
         action="store_true",
-        help="run every stochastic claim at 20 seeds (minutes) instead of 2",
+        help="run every stochastic claim at 20 seeds (minutes) instead of one",
     )
 
 

@@ -5,7 +5,11 @@ import itertools
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from ipywidgets import IntSlider
+from jupyter_core.utils import run_sync
 from matplotlib.colors import to_rgb
+from nbclient import NotebookClient
+from nbformat.v4 import new_code_cell, new_notebook
 
 import amrmetrics as am
 from amrmetrics import plotting
@@ -88,6 +92,86 @@ def test_the_same_figure_gives_the_same_bytes(monkeypatch):
     assert shown[0] == shown[1]
 
 
+class TestExplore:
+    """The slider cell: live in a kernel, and nothing that stalls who executes a notebook."""
+
+    @pytest.fixture
+    def shown(self, monkeypatch):
+        shown = []
+        monkeypatch.setattr("IPython.display.display", shown.append)
+        return shown
+
+    @staticmethod
+    def draw(turn=10, side="left"):
+        if turn > 100:
+            raise ValueError(f"{turn} > 100")
+        print(f"<{turn}> {side}")
+
+    def test_draws_again_when_a_control_moves(self, shown):
+        plotting.explore(self.draw, turn=(-180, 180, 2), side=["left", "right"])
+        slider, options, page = shown[0].children
+        assert (slider.min, slider.max, slider.step, slider.value) == (-180, 180, 2, 10)
+        assert (slider.description, options.description) == ("turn", "side")
+        assert page.value == "<pre>&lt;10&gt; left\n</pre>"
+        slider.value = 20
+        options.value = "right"
+        assert page.value == "<pre>&lt;20&gt; right\n</pre>"
+
+    def test_shows_an_error_when_a_control_moves_and_raises_it_at_once(self, shown):
+        plotting.explore(self.draw, turn=(-180, 180, 2))
+        slider, page = shown[0].children
+        slider.value = 102
+        assert page.value == "<pre>ValueError: 102 &gt; 100</pre>"
+        slider.value = 12
+        assert page.value == "<pre>&lt;12&gt; left\n</pre>"
+        with pytest.raises(ValueError, match="150 > 100"):
+            plotting.explore(self.draw, turn=(150, 151))
+
+    def test_takes_a_widget_and_starts_in_the_middle_without_a_default(self, shown):
+        widget = IntSlider(7, 0, 9, description="angle")
+        plotting.explore(lambda a, b, c: print(a, b, c), a=widget, b=(2.0, 6.0), c=True)
+        assert shown[0].children[-1].value == "<pre>7 4.0 True\n</pre>"
+        assert [w.description for w in shown[0].children[:3]] == ["angle", "b", "c"]
+
+    def test_refuses_what_is_no_control(self, shown):
+        with pytest.raises(ValueError, match=r"turn is None; give \(lowest, highest\)"):
+            plotting.explore(self.draw, turn=None)
+
+    def test_in_a_kernel_it_follows_the_slider_and_asks_its_client_for_no_answer(self):
+        """`interact` does ask: nbclient then answers each figure while it awaits the cell's end.
+
+        Its answer goes out on the channel where it waits, and sending takes the sign that the
+        end has come with it: 7 of 40 executions on a busy core stalled to their time limit.
+        """
+        cell = """
+from amrmetrics import plotting
+def draw(turn):
+    fig, ax = plotting.plt.subplots()
+    plotting.show(fig, alt=f'A "turn" of {turn}.')
+plotting.explore(draw, turn=(-180, 180, 2))
+"""
+        nb = new_notebook(cells=[new_code_cell(cell)])
+        client = NotebookClient(nb, kernel_name="python3", timeout=60)
+        with client.setup_kernel():
+            client.execute_cell(nb.cells[0], 0)
+            states = client.widget_state
+            models = {state["_model_name"]: key for key, state in states.items()}
+            assert {"IntSliderModel", "HTMLModel"} <= set(models)
+            assert not set(client.comm_objects)  # nothing that nbclient would answer for
+            first = states[models["HTMLModel"]]["value"]
+            assert first.startswith('<img src="data:image/png;base64,')
+            assert 'alt="A &quot;turn&quot; of 0."' in first
+            # What a browser sends when the slider is moved.
+            data = {"method": "update", "state": {"value": 30}, "buffer_paths": []}
+            content = {"comm_id": models["IntSliderModel"], "data": data}
+            client.kc.shell_channel.send(client.kc.session.msg("comm_msg", content))
+            receive = run_sync(client.kc.iopub_channel.get_msg)
+            message = receive(timeout=20)
+            while message["content"].get("comm_id") != models["HTMLModel"]:
+                message = receive(timeout=20)
+        assert 'alt="A &quot;turn&quot; of 30."' in message["content"]["data"]["state"]["value"]
+
+
 @pytest.fixture
 def ax():
     fig, ax = plt.subplots()
@@ -99,6 +183,31 @@ def ax():
 def line(ax, label):
     (found,) = (line for line in ax.get_lines() if line.get_label() == label)
     return found
+
+
+class TestConsistencyBand:
+    def test_marks_and_counts_what_lies_outside(self, ax):
+        values, lower = [3, 1, 9, 1.5, 4], [1.5, 1.5, 1.5, 1.5, 4.5]
+        plotting.consistency_band(ax, np.arange(5.0), values, lower, 8, 3, mark_outside=True)
+        inside, outside = line(ax, "measured"), line(ax, "3 of 5 outside")
+        assert outside.get_ydata()[[1, 2, 4]].tolist() == [1, 9, 4]
+        assert np.isnan(outside.get_ydata()[[0, 3]]).all()  # on the bound is inside
+        assert inside.get_ydata()[[0, 3]].tolist() == [3, 1.5]
+        assert np.isnan(inside.get_ydata()[[1, 2, 4]]).all()
+        assert inside.get_marker() != outside.get_marker()
+        assert inside.get_color() != outside.get_color()
+        assert line(ax, "95 % band").get_zorder() > inside.get_zorder()
+
+
+class TestCovarianceEllipse:
+    def test_every_point_has_the_nees(self, ax):
+        P = np.array([[4.0, 2.0], [2.0, 5.0]])
+        plotting.covariance_ellipse(ax, P, 5, center=(1, -2), color="k", label="NEES 5")
+        errors = line(ax, "NEES 5").get_xydata() - [1, -2]
+        assert am.nees(errors, P) == pytest.approx(np.full(len(errors), 5))
+        assert errors[0] == pytest.approx(errors[-1])
+        assert len(np.unique(errors.round(6), axis=0)) == len(errors) - 1
+        assert ax.get_aspect() == 1
 
 
 class TestReliabilityDiagram:
