@@ -202,6 +202,43 @@ def test_reads_what_students_write(before, after):
     assert verdict.status in ("proved", "sampled"), verdict
 
 
+ANY_SIZE = {"m": "int>=1", "n": "int>=1", "A": "mat(m,n)", "B": "mat(n,m)", "M": "mat(n,n)"}
+ANY_SIZE |= {"P": "spd(n)", "L": "chol(n)", "R": "rot(n)", "u": "vec(n)", "v": "vec(n)"}
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "status"),
+    [
+        ("Trace(A*B)", "Trace(B*A)", "proved"),
+        ("(A*B).T", "B.T*A.T", "proved"),
+        ("v.T*(L*L.T).inv()*v", "(L.inv()*v).T*(L.inv()*v)", "proved"),
+        ("Trace(P.inv()*v*v.T)", "v.T*P.inv()*v", "proved"),
+        ("Trace(v*v.T*P*v*v.T)", "(v.T*v)*(v.T*P*v)", "proved"),
+        ("L.inv()*(L*L.T)*L.inv().T", "eye(n)", "proved"),
+        ("Trace(R.T*P*R)", "Trace(P)", "proved"),
+        ("Trace(P.inv()*P)", "n", "proved"),
+        ("det(L*L.T)", "det(L)**2", "proved"),
+        ("u.T*P*v", "v.T*P*u", "proved"),
+        ("(P+u*u.T).inv()*(P+u*u.T)", "eye(n)", "sampled"),
+        ("R*P*R.T", "P", "refuted"),
+        ("u.T*M*v", "v.T*M*u", "refuted"),
+        ("(P*M).inv()", "P.inv()*M.inv()", "refuted"),
+        ("Trace(P*M)", "Trace(P)*Trace(M)", "refuted"),
+        ("det(2*P)", "2*det(P)", "refuted"),
+        ("Trace(M*M.T)", "Trace(M*M)", "refuted"),
+        ("(A*B).T", "A.T*B.T", "unreadable"),
+    ],
+)
+def test_matrices_of_any_size(before, after, status):
+    assert check_step(before, after, ANY_SIZE).status == status
+
+
+@pytest.mark.parametrize("line", ["det(R)", "R.T*R", "(R*v).T*(R*v)"])
+def test_rotations_in_space(line):
+    after = {"det(R)": "1", "R.T*R": "eye(3)"}.get(line, "v.T*v")
+    assert check_step(line, after, {"R": "rot3", "v": "vec3"}).status == "proved"
+
+
 def test_no_verdict_hangs_on_the_seed():
     for seed in range(8):
         assert check_step("", "exp(-x)>0", REAL, seed=seed).status == "proved"

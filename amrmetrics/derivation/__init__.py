@@ -30,7 +30,8 @@ Why not something simpler? Measured on the 328 formulas (133 right, 195 wrong) o
 
 The first two read "could not show it" as "wrong". Five points cannot tell ``|x|`` from ``x``.
 ``python tests/derivations/evaluate.py --compare public own`` prints this table again, and the one
-of false proofs, false accusations and times over five seeds, with mutants, rewrites and hostile text.
+of false proofs, false accusations and times over five seeds, with mutants, rewrites and hostile
+text.
 """
 
 from .checking import Verdict, check_step

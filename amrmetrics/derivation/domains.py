@@ -54,6 +54,10 @@ def make(name, text, names=()):
         return Sequence(name, text, make(name, m[1] or "real", names))
     if text == "function":
         return Abstract(name, text)
+    if m := re.fullmatch(r"(vec|mat|spd|chol|sym|rot)\(([\w,]+)\)", text):
+        sizes = [_end(n, text, kinds) for n in m[2].split(",")]
+        if len(sizes) <= 1 + (m[1] == "mat"):
+            return Sized(name, text, m[1], sizes)
     return Matrix(name, text)
 
 
@@ -407,6 +411,9 @@ class Matrix(Domain):
         return None
 
     def draw(self, rng, style, values):
+        return self._drawn(rng, style)
+
+    def _drawn(self, rng, style):
         rows, columns = self.kind
 
         def number(positive=False):
@@ -453,6 +460,37 @@ class Matrix(Domain):
             return [[[Fraction(i + 1)] for i in range(rows)]]
         rng = random.Random(0)
         return [self.draw(rng, "small", {})]
+
+
+class Sized(Matrix):
+    """Vectors and matrices whose size is a declared letter."""
+
+    def __init__(self, name, text, family, sizes):
+        Domain.__init__(self, name, text)
+        self.family = family
+        self.kind = (sizes[0], sp.Integer(1) if family == "vec" else sizes[-1])
+        self.symbol = sp.MatrixSymbol(name, *self.kind)
+        self.free = {}
+
+    inverse = None
+
+    def fits(self, x, values):
+        """Whether the matrix `x`, a list of rows, has the size that the letters say."""
+        if not isinstance(x, list):
+            return True
+        return (len(x), len(x[0])) == tuple(_placed(n, values) for n in self.kind)
+
+    def draw(self, rng, style, values):
+        """Draw as a matrix of the size that the letters have at this point."""
+        rows, columns = (int(_placed(n, values)) for n in self.kind)
+        if max(rows, columns) > 5:
+            raise NoRoom
+        fixed = object.__new__(Matrix)
+        fixed.family, fixed.kind = self.family, (rows, columns)
+        return fixed._drawn(rng, style)
+
+    def simple(self):
+        return []
 
 
 def _placed(end, values):

@@ -652,7 +652,7 @@ RULES = {
         [row[i] for i, row in enumerate(value(w.args[0], at))]
     ),
     MatrixElement: lambda w, at: value(w.args[0], at)[int(w.args[1])][int(w.args[2])],
-    sp.Identity: lambda w, at: identity(int(w.shape[0])),
+    sp.Identity: lambda w, at: identity(integer(w.shape[0], at, "size")),
     sp.ZeroMatrix: lambda w, at: [[Fraction(0)] * int(w.shape[1])] * int(w.shape[0]),
 }
 

@@ -17,7 +17,9 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.matrices.expressions.matexpr import MatrixElement
 
+from .algebra import same
 from .breaks import needs, nodes, show
+from .domains import Sized
 from .limits import bounded
 from .reading import is_inequality, is_matrix, renamed
 
@@ -31,6 +33,7 @@ class Model:
     def __init__(self, domains, tops=()):
         self.domains, self.tops = domains, tops
         self.free = {s: e for d in domains.values() for s, e in d.free.items()}
+        self.sized = any(isinstance(d, Sized) for d in domains.values())
         self.circles = dict(d.circle for d in domains.values() if d.circle)
         self.known = {}
 
@@ -238,6 +241,8 @@ def conditions(lines, model):
 
 def _implied_in_range(kind, parts, scopes, model):
     """Whether a need is implied for every value of the letters of sums and products."""
+    if model.sized and any(p.has(sp.MatrixSymbol) for p in parts):
+        return all(isinstance(p, sp.Determinant) and _regular(p.args[0], model) for p in parts)
     parts = [model.evaluated(p) for p in parts]
     rising, falling = {}, {}
     for letter, (_, low, high) in scopes.items():
@@ -246,6 +251,14 @@ def _implied_in_range(kind, parts, scopes, model):
         falling[letter] = model.evaluated(high) - steps
     ways = [rising, falling] if scopes else [{}]
     return any(model.implied(kind, [p.subs(way) for p in parts]) for way in ways)
+
+
+def _regular(w, model):
+    """Whether a matrix of any size has an inverse by what it is made of."""
+    if isinstance(w, sp.MatrixSymbol):
+        return getattr(model.domains.get(w.name), "family", "") in ("spd", "chol", "rot")
+    made = isinstance(w, sp.MatMul | sp.Transpose | sp.Inverse)
+    return made and all(_regular(a, model) for a in w.args if is_matrix(a))
 
 
 def _kinks(inside):
@@ -522,6 +535,8 @@ def proved(before, after, relation, model):
         return _inequalities(before, after, relation, model)
     if isinstance(before, sp.Rel | sp.And | sp.Or):
         return False
+    if model.sized:
+        return same(before, after, model)
     a, b = model.evaluated(before), model.evaluated(after)
     if is_matrix(a):
         return all(vanishes(x, model) for x in (a - b))
@@ -529,6 +544,8 @@ def proved(before, after, relation, model):
 
 
 def _claim(w, model):
+    if model.sized:
+        return False
     from .closing import closed
 
     d = closed(model.evaluated(w.gts) - model.evaluated(w.lts), model)
@@ -537,6 +554,8 @@ def _claim(w, model):
 
 def _equations(before, after, relation, model):
     """Same solutions: a ratio that is never zero, or one solution put into the other line."""
+    if model.sized:
+        return False
     from .closing import closed
 
     f, g = (model.evaluated(w.lhs) - model.evaluated(w.rhs) for w in (before, after))
@@ -582,6 +601,8 @@ def _only_once(f, x, e, domain, model):
 
 def _inequalities(before, after, relation, model):
     """Both sides of one line are those of the other times something positive."""
+    if model.sized:
+        return False
     strict = [isinstance(w, sp.Gt | sp.Lt) for w in (before, after)]
     if strict[0] != strict[1]:
         return False

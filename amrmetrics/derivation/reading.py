@@ -305,6 +305,8 @@ class _Reader:
 
     def make_eye(self, node):
         n = self.build(*_counted(node, 1, 1))
+        if n.is_Symbol:
+            return sp.Identity(n)
         if not (n.is_Integer and 1 <= n <= 6):
             raise Unreadable("eye(n) needs a whole number n from 1 to 6")
         return sp.eye(int(n)).as_immutable()
@@ -403,7 +405,10 @@ def alike(parts):
     if shapes == {(1, 1)} or any(is_claim(w) for w in parts):
         return [scalar(w) for w in parts]
     if len(shapes) > 1:
-        names = ["a number" if s == (1, 1) else f"a {s[0]} x {s[1]} matrix" for s in sorted(shapes)]
+        names = [
+            "a number" if s == (1, 1) else f"a {s[0]} x {s[1]} matrix"
+            for s in sorted(shapes, key=str)
+        ]
         raise Unreadable(f"the shapes do not fit: {' and '.join(names)}")
     return list(parts)
 

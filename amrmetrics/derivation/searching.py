@@ -11,7 +11,7 @@ from sympy.core.function import AppliedUndef
 
 from .arithmetic import Imprecise, Undefined, Unreliable, as_float, sign
 from .breaks import breaks, minus
-from .domains import LARGE, Index, NoRoom, exact, rational
+from .domains import LARGE, Index, NoRoom, Sized, exact, rational
 from .evaluating import (
     BENT,
     SCOPES,
@@ -112,6 +112,12 @@ class Search:
         self.lines = [w for w in (before, after) if w is not None]
         used = set().union(*map(names_in, self.lines))
         self.domains, self.dependent = _in_order(domains, used)
+        self.sized = {
+            n.name
+            for d in self.domains.values()
+            if isinstance(d, Sized)
+            for n in set().union(*(k.free_symbols for k in d.kind))
+        }
         self.everything = domains
         for f in set().union(*(w.atoms(AppliedUndef) for w in self.lines)):
             domains[f.func.__name__].arguments = len(f.args)
@@ -150,6 +156,7 @@ class Search:
                 values[""] = (k, style, max(sizes, default=7))
             if domain.whole:
                 cap = longest if name in self.sizes or self.rough else 10**7
+                cap = 4 if name in self.sized else cap
                 values[name] = domain.draw(rng, style, values, cap)
             else:
                 values[name] = domain.draw(rng, style, values)
@@ -161,6 +168,9 @@ class Search:
         for name, domain in self.domains.items():
             if isinstance(domain, Index):
                 if sizes and not 1 <= values[name] <= max(sizes):
+                    return False
+            elif isinstance(domain, Sized):
+                if not domain.fits(values[name], values):
                     return False
             elif name in self.dependent and not domain.contains(values[name], values):
                 return False
@@ -631,6 +641,7 @@ def _in_order(domains, used):
 
     def depends(d):
         parts = [getattr(d, "low", sp.Integer(0)), getattr(d, "high", sp.Integer(0))]
+        parts += d.kind if isinstance(d, Sized) else []
         return {s.name for p in parts for s in sp.sympify(p).free_symbols}
 
     wanted = set(used) & domains.keys()
