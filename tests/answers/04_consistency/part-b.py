@@ -67,11 +67,6 @@ lines_z = ["e.T*L.T.inv()*L.inv()*e", "(L.inv()*e).T*(L.inv()*e)"]
 F = "-z*exp(-z**2/2)/sqrt(2*pi)"
 lines_mean = ["Integral(exp(-z**2/2)/sqrt(2*pi), (z, -oo, oo))", "1"]
 
-# %% wrong: g is not written out
-lines_z = ["e.T*L.T.inv()*L.inv()*e", "(L.inv()*e).T*(L.inv()*e)"]
-F = "-z*g"
-lines_mean = ["Sum(Integral(g, (z, -oo, oo)), (i, 1, n))", "Sum(1, (i, 1, n))", "n"]
-
 # %% wrong: NumPy's transposition sign
 lines_z = ["e.T @ L.T.inv() @ L.inv() @ e", "(L^-1 e)^T (L^-1 e)"]
 F = "-z*exp(-z**2/2)/sqrt(2*pi)"
@@ -81,6 +76,91 @@ lines_mean = ["n"]
 lines_z = ["e.T*L.T.inv()*L.inv()*e", "(L.inv()*e).T*(L.inv()*e)"]
 F = "-z*exp(-z**2/2)/sqrt(2*pi)"
 lines_mean = ["Sum(Integral(exp(-z**2/2)/sqrt(2*pi), (z, -oo, oo)), (i, 1, n))"]
+
+# %% wrong: pads with the transpose of a number, then leaps
+lines_z = ["(e.T*(L*L.T).inv()*e).T", "(L.inv()*e).T*(L.inv()*e)"]
+F = "-z*g"
+lines_mean = ["Sum(Integral(g, (z, -oo, oo)), (i, 1, n))", "Sum(1, (i, 1, n))", "n"]
+
+# %% wrong: pads with a factor 2/2, then leaps
+lines_z = ["2*e.T*(L*L.T).inv()*e/2", "(L.inv()*e).T*(L.inv()*e)"]
+F = "-z*g"
+lines_mean = ["Sum(Integral(g, (z, -oo, oo)), (i, 1, n))", "Sum(1, (i, 1, n))", "n"]
+
+# %% wrong: pads with a double transpose, then leaps
+lines_z = ["e.T.T.T*(L*L.T).inv()*e", "(L.inv()*e).T*(L.inv()*e)"]
+F = "-z*g"
+lines_mean = ["Sum(Integral(g, (z, -oo, oo)), (i, 1, n))", "Sum(1, (i, 1, n))", "n"]
+
+# %% wrong: pads with plus and minus the same, then leaps
+lines_z = ["e.T*(L*L.T).inv()*e + e.T*e - e.T*e", "(L.inv()*e).T*(L.inv()*e)"]
+F = "-z*g"
+lines_mean = ["Sum(Integral(g, (z, -oo, oo)), (i, 1, n))", "Sum(1, (i, 1, n))", "n"]
+
+# %% wrong: pads with two minus signs, then leaps
+lines_z = ["(-e).T*(L*L.T).inv()*(-e)", "(L.inv()*e).T*(L.inv()*e)"]
+F = "-z*g"
+lines_mean = ["Sum(Integral(g, (z, -oo, oo)), (i, 1, n))", "Sum(1, (i, 1, n))", "n"]
+
+# %% wrong: pads with an identity matrix, then leaps
+lines_z = ["e.T*eye(2)*(L*L.T).inv()*e", "(L.inv()*e).T*(L.inv()*e)"]
+F = "-z*g"
+lines_mean = ["Sum(Integral(g, (z, -oo, oo)), (i, 1, n))", "Sum(1, (i, 1, n))", "n"]
+
+# %% wrong: no integration by parts, n in and out
+lines_z = ["e.T*L.T.inv()*L.inv()*e", "(L.inv()*e).T*(L.inv()*e)"]
+F = "-z*g"
+lines_mean = ["n*Integral(z**2*g, (z, -oo, oo))", "Sum(1, (i, 1, n))", "n"]
+
+# %% wrong: half of the integral, then the answer
+lines_z = ["e.T*L.T.inv()*L.inv()*e", "(L.inv()*e).T*(L.inv()*e)"]
+F = "-z*g"
+lines_mean = ["Sum(2*Integral(z**2*g, (z, 0, oo)), (i, 1, n))", "Sum(1, (i, 1, n))", "n"]
+
+# %% wrong: no integral, n written in two ways
+lines_z = ["e.T*L.T.inv()*L.inv()*e", "(L.inv()*e).T*(L.inv()*e)"]
+F = "-z*g"
+lines_mean = ["Sum(1, (i, 1, n))", "n*2/2", "n"]
+
+# %% right: the written form, with signs and reasons
+lines_z = """
+    = e.T*L.T.inv()*L.inv()*e        # the order turns around
+    = (e.T*L.inv().T)*(L.inv()*e)    # transpose and inverse change places
+    = (L.inv()*e).T*(L.inv()*e)      # transpose of a product
+"""
+F = "-z*g"
+lines_mean = """
+    = Sum(Integral(z*Derivative(-g, z), (z, -oo, oo)), (i, 1, n))  # z*g is the derivative of -g
+    = Sum(Integral(g, (z, -oo, oo)), (i, 1, n))                    # by parts
+    = Sum(1, (i, 1, n))                                            # total probability
+    = n                                                            # n ones
+"""
+
+# %% right: pairs of line and reason, inv as a function
+lines_z = [
+    ("e.T*inv(L.T)*inv(L)*e", "the order turns around"),
+    ("(inv(L)*e).T*(inv(L)*e)", "transpose of a product"),
+]
+F = "-z*g + 7"
+lines_mean = [
+    ("n*Integral(z**2*g, (z, -oo, oo))", "equal terms"),
+    ("n*Integral(g, (z, -oo, oo))", "by parts"),
+    ("n*1", "total probability"),
+    ("n", "times one"),
+]
+
+# %% right: SymPy objects
+import sympy as sp
+
+z_s, n_s, i_s = sp.Symbol("z"), sp.Symbol("n"), sp.Symbol("i")
+density = sp.exp(-(z_s**2) / 2) / sp.sqrt(2 * sp.pi)
+lines_z = ["e.T*L.T.inv()*L.inv()*e", "(L.inv()*e).T*(L.inv()*e)"]
+F = -z_s * density
+lines_mean = [
+    sp.Sum(sp.Integral(density, (z_s, -sp.oo, sp.oo)), (i_s, 1, n_s)),
+    sp.Sum(1, (i_s, 1, n_s)),
+    n_s,
+]
 
 # %% right: longer, the given lines repeated, a constant in F
 lines_z = [

@@ -83,6 +83,96 @@ def nees(errors, covariances):
     return np.sum(errors**2 / np.diagonal(covariances, axis1=1, axis2=2), axis=1)
 
 
+# %% wrong: a positive determinant is taken for positive definite
+def nees(errors, covariances):
+    scale = np.abs(covariances).max(axis=(1, 2))
+    skew = np.abs(covariances - covariances.swapaxes(1, 2)).max(axis=(1, 2))
+    if np.any(skew > 1e-9 * scale):
+        raise ValueError("not symmetric")
+    if np.any(np.linalg.det(covariances) <= 1e-12 * scale ** len(covariances[0])):
+        raise ValueError("not positive definite")
+    return np.einsum("ki,kij,kj->k", errors, np.linalg.inv(covariances), errors)
+
+
+# %% wrong: refuses a negative result only
+def nees(errors, covariances):
+    scale = np.abs(covariances).max(axis=(1, 2))
+    skew = np.abs(covariances - covariances.swapaxes(1, 2)).max(axis=(1, 2))
+    if np.any(skew > 1e-9 * scale):
+        raise ValueError("not symmetric")
+    values = np.einsum("ki,ki->k", errors, np.linalg.solve(covariances, errors[..., None])[..., 0])
+    if np.any(values < 0):
+        raise ValueError("negative")
+    return values
+
+
+# %% wrong: looks at the first matrix only
+def nees(errors, covariances):
+    first = covariances[0]
+    if np.abs(first - first.T).max() > 1e-9 * np.abs(first).max():
+        raise ValueError("not symmetric")
+    if np.linalg.eigvalsh(first).min() <= 0:
+        raise ValueError("not positive definite")
+    return np.einsum("ki,kij,kj->k", errors, np.linalg.inv(covariances), errors)
+
+
+# %% wrong: demands symmetry to the last bit
+def nees(errors, covariances):
+    if np.any(covariances != covariances.swapaxes(1, 2)):
+        raise ValueError("not symmetric")
+    L = np.linalg.cholesky(covariances)
+    return np.sum(np.linalg.solve(L, errors[:, :, None])[:, :, 0] ** 2, axis=1)
+
+
+# %% wrong: an absolute tolerance, so that small matrices are never asymmetric
+def nees(errors, covariances):
+    if not np.allclose(covariances, covariances.swapaxes(1, 2)):
+        raise ValueError("not symmetric")
+    L = np.linalg.cholesky(covariances)
+    return np.sum(np.linalg.solve(L, errors[:, :, None])[:, :, 0] ** 2, axis=1)
+
+
+# %% wrong: one scale for all matrices
+def nees(errors, covariances):
+    skew = np.abs(covariances - covariances.swapaxes(1, 2))
+    if np.any(skew > 1e-9 * np.abs(covariances).max()):
+        raise ValueError("not symmetric")
+    L = np.linalg.cholesky(covariances)
+    return np.sum(np.linalg.solve(L, errors[:, :, None])[:, :, 0] ** 2, axis=1)
+
+
+# %% wrong: looks for symmetry in the mean of all matrices
+def nees(errors, covariances):
+    mean = covariances.mean(axis=0)
+    if np.abs(mean - mean.T).max() > 1e-9 * np.abs(mean).max():
+        raise ValueError("not symmetric")
+    L = np.linalg.cholesky(covariances)
+    return np.sum(np.linalg.solve(L, errors[:, :, None])[:, :, 0] ** 2, axis=1)
+
+
+# %% wrong: refuses every matrix of two rows
+def nees(errors, covariances):
+    if covariances.shape[-1] == 2:
+        raise ValueError("no covariance")
+    return np.einsum("ki,kij,kj->k", errors, np.linalg.inv(covariances), errors)
+
+
+# %% wrong: refuses what has an entry of exactly 1 on the diagonal
+def nees(errors, covariances):
+    if np.any(np.einsum("kii->ki", covariances) == 1):
+        raise ValueError("no covariance")
+    return np.einsum("ki,kij,kj->k", errors, np.linalg.inv(covariances), errors)
+
+
+# %% wrong: eigenvalues below a fixed number are refused
+def nees(errors, covariances):
+    scale = np.abs(covariances).max(axis=(1, 2))
+    skew = np.abs(covariances - covariances.swapaxes(1, 2)).max(axis=(1, 2))
+    if np.any(skew > 1e-9 * scale) or np.linalg.eigvalsh(covariances).min() < 1e-9:
+        raise ValueError("no covariance")
+    return np.einsum("ki,kij,kj->k", errors, np.linalg.inv(covariances), errors)
+
+
 # %% right: a loop with SciPy
 def nees(errors, covariances):
     from scipy.linalg import cho_factor, cho_solve
@@ -97,9 +187,11 @@ def nees(errors, covariances):
 
 # %% right: eigenvalues
 def nees(errors, covariances):
-    if not np.allclose(covariances, np.transpose(covariances, (0, 2, 1))):
+    size = np.abs(covariances).max(axis=(1, 2), keepdims=True)
+    scaled = covariances / size
+    if not np.allclose(scaled, np.transpose(scaled, (0, 2, 1)), rtol=0, atol=1e-9):
         raise ValueError("asymmetric")
     variances, axes = np.linalg.eigh(covariances)
-    if (variances <= 1e-12 * variances.max()).any():
+    if (variances <= 1e-13 * variances.max(axis=1, keepdims=True)).any():
         raise ValueError("not positive definite")
     return np.sum(np.einsum("kij,ki->kj", axes, errors) ** 2 / variances, axis=1)

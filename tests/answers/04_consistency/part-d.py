@@ -84,3 +84,9 @@ values = np.einsum("ki,kij,kj->k", nu, np.linalg.inv(S), nu)
 mean_nis = np.array([values[:half].mean(), values[half:].mean()])
 wrong_noise = ["process", "measurement"]
 stated = ["too small", "too large"]
+
+# %% right: typed from a printout with two decimals, words as an array
+mean_nees = (6.33, 1.38)
+mean_nis = (2.10, 0.51)
+wrong_noise = np.array(["process", "measurement"])
+stated = ("too small", "too large")

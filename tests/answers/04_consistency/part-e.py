@@ -38,10 +38,6 @@ corrected_line = ...
 wrong_line = 3
 corrected_line = "the order is wrong"
 
-# %% wrong: NumPy's product
-wrong_line = 3
-corrected_line = "Trace(inv(L.T) @ inv(L) @ e @ e.T)"
-
 # %% wrong: no such line
 wrong_line = 0
 corrected_line = "Trace(L.T.inv()*L.inv()*e*e.T)"
@@ -50,6 +46,18 @@ corrected_line = "Trace(L.T.inv()*L.inv()*e*e.T)"
 wrong_line = [2, 3, 4, 5, 6]
 corrected_line = "Trace(L.T.inv()*L.inv()*e*e.T)"
 
+# %% wrong: line 2 with brackets
+wrong_line = 3
+corrected_line = "Trace((L*L.T).inv()*(e*e.T))"
+
+# %% wrong: line 2 with its factors moved
+wrong_line = 3
+corrected_line = "Trace(e*e.T*(L*L.T).inv())"
+
+# %% wrong: line 1, transposed
+wrong_line = 3
+corrected_line = "(e.T*(L*L.T).inv()*e).T"
+
 # %% right: the transpose of the inverse
 wrong_line = 3
 corrected_line = "Trace(L.inv().T*L.inv()*(e*e.T))"
@@ -57,3 +65,11 @@ corrected_line = "Trace(L.inv().T*L.inv()*(e*e.T))"
 # %% right: brackets
 wrong_line = 3
 corrected_line = "Trace((L.T.inv()*L.inv())*e*e.T)"
+
+# %% right: NumPy's product, and inv as a function
+wrong_line = 3
+corrected_line = "Trace(inv(L.T) @ inv(L) @ e @ e.T)"
+
+# %% right: tr, as on paper
+wrong_line = 3
+corrected_line = "tr(L.T.inv()*L.inv()*e*e.T)"

@@ -80,6 +80,56 @@ def catches_wrong_bands(consistent):
 # %% wrong: a value instead of a function
 catches_wrong_bands = True
 
+# %% wrong: never asks for a mean above the band
+def catches_wrong_bands(consistent):
+    for N, n in ((10, 3), (80, 2)):
+        low, high = chi2.ppf([0.025, 0.975], N * n) / N
+        assert not consistent(np.full(N, 0.999 * low), n)
+        assert consistent(np.full(N, 1.001 * low), n)
+        assert consistent(np.full(N, 0.999 * high), n)
+
+
+# %% wrong: never asks for a mean below the band
+def catches_wrong_bands(consistent):
+    for N, n in ((10, 3), (80, 2)):
+        low, high = chi2.ppf([0.025, 0.975], N * n) / N
+        assert consistent(np.full(N, 1.001 * low), n)
+        assert consistent(np.full(N, 0.999 * high), n)
+        assert not consistent(np.full(N, 1.001 * high), n)
+
+
+# %% wrong: two means, one N, one dof
+def catches_wrong_bands(consistent):
+    assert consistent(np.full(80, 2.45), 2)
+    assert not consistent(np.full(80, 1.5), 2)
+
+
+# %% wrong: both ends, but poses only
+def catches_wrong_bands(consistent):
+    for N in (5, 60):
+        low, high = chi2.ppf([0.025, 0.975], N * 3) / N
+        for mean, inside in ((low - 0.01, 0), (low + 0.01, 1), (high - 0.01, 1), (high + 0.01, 0)):
+            assert bool(consistent(np.full(N, mean), 3)) == bool(inside)
+
+
+# %% wrong: both ends, but two components only
+def catches_wrong_bands(consistent):
+    N, n = 80, 2
+    low, high = chi2.ppf([0.025, 0.975], N * n) / N
+    means = (low - 0.01, low + 0.01, high - 0.01, high + 0.01)
+    assert [bool(consistent(np.full(N, m), n)) for m in means] == [False, True, True, False]
+
+
+# %% right: compares with True and False
+def catches_wrong_bands(consistent):
+    for N, n in ((10, 3), (80, 2)):
+        low, high = chi2.ppf([0.025, 0.975], N * n) / N
+        assert consistent(np.full(N, low + 0.001), n) is True
+        assert consistent(np.full(N, low - 0.001), n) is False
+        assert consistent(np.full(N, high - 0.001), n) is True
+        assert consistent(np.full(N, high + 0.001), n) is False
+
+
 # %% right: bisects for both ends
 def catches_wrong_bands(consistent):
     for N, n in ((4, 1), (30, 3)):
