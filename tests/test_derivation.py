@@ -189,10 +189,7 @@ def test_what_a_line_needs_is_said(before, needed):
         ("norm(v)**2", "v.T*v"),
         ("u.T*cross(u, w)", "0"),
         ("det(diag(x, y))", "x*y"),
-        (
-            "Derivative(Matrix([[cos(x),-sin(x)],[sin(x),cos(x)]]), x)",
-            "skew2*Matrix([[cos(x),-sin(x)],[sin(x),cos(x)]])",
-        ),
+        (f"Derivative({TURN}, x)", f"Matrix([[0,-1],[1,0]])*{TURN}"),
     ],
 )
 def test_reads_what_students_write(before, after):
