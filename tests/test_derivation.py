@@ -264,6 +264,36 @@ def test_equations(before, after, relation, status):
     assert check_step(before, after, REAL, relation, unknown="x").status == status
 
 
+@pytest.mark.parametrize(
+    ("before", "after", "kind", "status"),
+    [
+        # Solutions beyond a pole, a solution where the line touches zero, one side that is zero.
+        ("Eq(tan(x),tan(y))", "Eq(x,y)", "real", "refuted"),
+        ("Eq(cos(x),1)", "Eq(x,0)", "real", "refuted"),
+        ("Eq(cos(x-y),1)", "Eq(x,y)", "real", "refuted"),
+        ("Eq(sin(x)**2,1)", "Eq(x,pi/2)", "real", "refuted"),
+        ("Eq(sin(x-y),0)", "Eq(x,y)", "angle", "refuted"),
+        # Angles are equal up to whole turns, whichever letter the line is solved for.
+        ("Eq(cos(x-y),1)", "Eq(x,y)", "angle", "sampled"),
+        ("Eq(cos(x-y),1)", "Eq(x,y+2*pi)", "angle", "sampled"),
+        ("And(Eq(cos(x),cos(y)),Eq(sin(x),sin(y)))", "Eq(x,y)", "angle", "sampled"),
+        ("Eq(cos(x),0)", "Or(Eq(x,pi/2),Eq(x,-pi/2))", "angle", "sampled"),
+        ("Eq(cos(x),0)", "Eq(x,pi/2)", "angle", "refuted"),
+    ],
+)
+@pytest.mark.parametrize("unknown", [None, "x"])
+def test_equations_with_many_solutions(before, after, kind, status, unknown):
+    domains = {"x": kind, "y": kind}
+    assert check_step(before, after, domains, "implies", unknown).status == status
+
+
+def test_one_point_alone_is_no_sample():
+    inner = "Integral(exp(-x-y)/(1+x*y),(x,0,oo))"
+    verdict = check_step("", f"Integral({inner},(y,0,oo))*a > a/100", {"a": ">0"})
+    assert verdict.status in ("sampled", "undecided")
+    assert verdict.points > 1 or verdict.status == "undecided"
+
+
 def test_a_vector_can_be_the_unknown():
     domains = {"P": "spd2", "x": "vec2", "b": "vec2"}
     assert check_step("Eq(P*x,b)", "Eq(x,P.inv()*b)", domains, unknown="x").status == "proved"

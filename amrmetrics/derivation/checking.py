@@ -11,7 +11,7 @@ from .proving import Model, conditions, proved
 from .reading import Unreadable, apart, is_claim, is_matrix, read, scalar
 from .searching import Search
 
-FEW = 3  # points at which integrals and limits are evaluated before a proof is looked for
+FEW = 2  # points at which integrals and limits are evaluated before a proof is looked for
 RELATIONS = ("iff", "implies", "implied_by")
 MARKS = {"proved": "✓", "sampled": "≈", "refuted": "✗", "undecided": "?", "unreadable": "!"}
 
@@ -139,9 +139,11 @@ class Step:
             )
         if not search.rough and (search.points or self.before is None) and self.proved():
             return self.proof(search, needed)
-        if search.points:
+        if search.points > 1 or (search.points and not search.domains):
             return Verdict("sampled", feedback.where(search) + note, **facts)
         text = "undecided: no point was found where both lines have a value"
+        if search.points:
+            text = "undecided: it agrees at the only point that could be evaluated in time"
         return Verdict("undecided", text, conditions=needed)
 
     def settled_by_proof(self, search):

@@ -328,7 +328,7 @@ def _quadrature(w, at):
         size = mp.quad(lambda x: abs(smooth(x)), [low, *cuts, high], maxdegree=3)
         for end, start in ((low, [*cuts, high][0]), (high, [low, *cuts][-1])):
             if mp.isinf(end) and not mp.isinf(start) and not rough:
-                error += _tail_error(smooth, start, end, mp)
+                error += _tail_error(smooth, start, end, size, mp)
     except (ZeroDivisionError, OverflowError):
         raise Unreliable("an integral that does not settle") from None
     if not abs(total) < 1e100 or error > mp.mpf(10) ** (-4 if rough else -7) * (1 + size):
@@ -344,9 +344,12 @@ def _carried_out(w):
     return None
 
 
-def _tail_error(f, start, end, mp):
+def _tail_error(f, start, end, size, mp):
     """Return how far two different quadratures of an infinite end are apart."""
     s = mp.sign(end)
+    far = max(abs(f(start + s * mp.mpf(10) ** k / 4)) for k in (3, 4, 5))
+    if far < mp.mpf(10) ** -40 * size:
+        return 0  # falls exponentially: the plain one alone is right
     plain = mp.quad(lambda t: f(start + s * t), [0, mp.inf], maxdegree=5)
     stretched = mp.quad(lambda t: f(start + s * mp.expm1(t)) * mp.exp(t), [0, 5, 40], maxdegree=5)
     return abs(plain - stretched)
@@ -442,8 +445,11 @@ def _derivative(w, at):
     body = _inserted(w.expr, at)
     if body.has(*BENT, *SCOPES) or not all(v.is_Symbol for v in w.variables):
         return _difference(w, at)
+    slope = _formula(body, tuple(w.variables))
+    if slope.has(sp.Derivative):  # of a determinant, say, for which there is no formula
+        return _difference(w, at)
     value(body, at)
-    return value(_formula(body, tuple(w.variables)), at)
+    return value(slope, at)
 
 
 @lru_cache(maxsize=500)
@@ -702,10 +708,9 @@ def truth(w, at, bits=None):
     if w.func in (sp.Eq, sp.Ne):
         if bits is None:
             same = compare(left, right, a, a.prec)
-        else:
-            same = compare(
-                left, right, a, bits, a.larger(*(magnitude(x, at)._mpf_ for x in w.args))
-            )
+        else:  # what cannot be told from zero at a root is small against one, not against itself
+            size = max(a.mp.one, *(magnitude(x, at) for x in w.args))
+            same = compare(left, right, a, bits, size._mpf_)
         return None if same is None else (same == "equal") == (w.func is sp.Eq)
     s = sign(a.subtract(left, right))
     return None if s is None else s in ORDER[w.func]

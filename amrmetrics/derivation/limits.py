@@ -69,7 +69,11 @@ def bounded(call, seconds, wall=None):
             raise
         return False, None
     finally:
-        sys.setprofile(before)
+        if callable(before) or before is None:
+            sys.setprofile(before)
+        else:  # a profiler of the standard library, which is no function
+            sys.setprofile(None)
+            before.enable()
 
 
 def _raised_in(error):

@@ -1,5 +1,6 @@
 """Looking for a counterexample: many points, every edge, and downhill to where a claim fails."""
 
+import contextlib
 import random
 import time
 from fractions import Fraction
@@ -35,6 +36,7 @@ ROUGH = sp.Integral | sp.Limit
 SOFT = ("pair", "kink")  # what is undefined so is a condition of the step, never a refutation
 HALF = ("nonnegative", "positive", "unit", "piecewise")  # fails on a whole part of the domain
 FAILURES = (Unreliable, OverflowError)
+NEAREST = 4  # zeros of a function that are looked for on the two sides of 0
 LONG = 40  # sums of more terms are tried at few points only
 
 
@@ -289,32 +291,13 @@ class Search:
             return []
 
     def _scan(self, g, name, at, domain, values):
-        def height(x):
-            try:
-                return value(g, at.bind(name, x))
-            except (Undefined, Unreliable):
-                return None
-
+        """Return the zeros of `g` where it changes its sign, or touches zero and turns back."""
         xs = self._places(g, domain, values)
-        heights = [height(x) for x in xs]
-        signs = [None if h is None else sign(h) for h in heights]
-        sizes = [float("inf") if h is None else abs(as_float(h)) for h in heights]
-        k = min(range(len(xs)), key=lambda k: sizes[k])
-        if 0 < k < len(xs) - 1 and signs[k] and signs[k - 1] == signs[k] == signs[k + 1]:
-            x = _lowest(lambda x: abs(as_float(height(x) or Fraction(10**9))), xs[k - 1], xs[k + 1])
-            h = height(x)
-            if h is not None and sign(h) not in (None, signs[k]):
-                xs[k], signs[k] = x, sign(h)
-        found = []
-        for (x, s), (y, t) in pairwise(zip(xs, signs, strict=True)):
-            if s == 0:
-                found.append(x)
-            elif s and t and s != t:
-                ends = [_exact(at.arithmetic.mp.make_mpf(e)) for e in Root(g, name, x, y).at(at)]
-                steep = abs(as_float(value(g, at.bind(name, ends[0]))))
-                if steep < 1e-9 * (1 + max(sizes[k] for k in (xs.index(x), xs.index(y)))):
-                    found.append(Root(g, name, *ends))
-        return found[:6]
+        slope = None if g.has(*BENT, *SCOPES) else g.diff(sp.Symbol(name))
+        turns = _crossings(slope, name, xs, at) if slope and not slope.has(sp.Derivative) else []
+        found = _crossings(g, name, sorted({*xs, *map(_start, turns)}), at)
+        found += [r for r in turns if _touches(g, name, r, at)]
+        return sorted(found, key=lambda r: abs(_start(r)))
 
     def _places(self, g, domain, values):
         """Return where to look for changes of sign: near, far, and close together for waves."""
@@ -431,15 +414,11 @@ class Search:
     def _holds(self, w, at):
         bits = 25 if self.rough else at.arithmetic.prec // 4
         answer = truth(w, at, bits)
-        n = self.unknown
-        if answer is False and n and self.domains[n].text == "angle" and _equations_only(w):
-            turn = at.arithmetic.multiply([Fraction(2), at.arithmetic.pi()])
-            for k in (-1, 1, -2, 2):
-                moved = at.arithmetic.add(
-                    [at.values[n], at.arithmetic.multiply([Fraction(k), turn])]
-                )
-                if truth(w, at.bind(n, moved), bits):
-                    return True
+        if answer is False and all(e.func is sp.Eq for e in atoms_of(w)):
+            names = {self.unknown} if self.unknown else names_in(w)
+            angles = [n for n in names & self.domains.keys() if self.domains[n].text == "angle"]
+            if any(truth(w, moved, bits) for n in sorted(angles) for moved in _turned(w, n, at)):
+                return True
         return answer
 
     # ---- the whole search --------------------------------------------------------------------
@@ -575,6 +554,17 @@ class Search:
             return float("inf")
 
 
+def _turned(w, name, at):
+    """Yield the point with an angle moved on by whole turns, for what is equal up to turns."""
+    a = at.arithmetic
+    turn = a.multiply([Fraction(2), a.pi()])
+    numbers = [e for e in atoms_of(w) if not is_matrix(e.lhs)]
+    apart = [a.subtract(*(value(x, at) for x in e.args)) for e in numbers]
+    turns = [s * round(as_float(d) / as_float(turn)) for d in apart for s in (1, -1)]
+    for k in dict.fromkeys((*turns, -1, 1, -2, 2)):
+        yield at.bind(name, a.add([at.values[name], a.multiply([Fraction(k), turn])]))
+
+
 def _exact(x):
     return Fraction(*map(int, libmp.to_rational(x._mpf_)))
 
@@ -593,16 +583,45 @@ def _shrunk(domain, x, rounds=40):
     return ((low + high) / 2).limit_denominator(10**9)
 
 
-def _lowest(f, a, b, rounds=26):
-    """Golden-section search for the lowest place of `f` between `a` and `b`."""
-    share = Fraction(382, 1000)
-    for _ in range(rounds):
-        x, y = a + (b - a) * share, b - (b - a) * share
-        if f(x) < f(y):
-            b = y.limit_denominator(10**12)
-        else:
-            a = x.limit_denominator(10**12)
-    return (a + b) / 2
+def _crossings(g, name, xs, at):
+    """Return the first places where `g` changes its sign between neighbors in `xs`, or is zero."""
+
+    def height(x):
+        try:
+            return value(g, at.bind(name, x))
+        except (Undefined, Unreliable):
+            return None
+
+    heights = [height(x) for x in xs]
+    signs = [None if h is None else sign(h) for h in heights]
+    found = []
+    pairs = pairwise(zip(xs, signs, heights, strict=True))
+    for (x, s, h), (y, t, k) in sorted(pairs, key=lambda pair: abs(pair[0][0])):
+        if len(found) == NEAREST:
+            break
+        if s == 0:
+            found.append(x)
+        elif s and t and s != t:
+            with contextlib.suppress(Undefined, *FAILURES):  # a pole changes the sign, too
+                ends = [_exact(at.arithmetic.mp.make_mpf(e)) for e in Root(g, name, x, y).at(at)]
+                steep = abs(as_float(value(g, at.bind(name, ends[0]))))
+                if steep < 1e-9 * (1 + max(abs(as_float(h)), abs(as_float(k)))):
+                    found.append(Root(g, name, *ends))
+    return found
+
+
+def _touches(g, name, root, at):
+    """Whether `g` cannot be told from zero at a place where it turns."""
+    try:
+        here = root.at(at) if isinstance(root, Root) else root
+        h = value(g, at.bind(name, here))
+    except (Undefined, *FAILURES):
+        return False
+    return not sign(h) and abs(as_float(h)) < 1e-15
+
+
+def _start(root):
+    return root.low if isinstance(root, Root) else root
 
 
 def number(v, a):
@@ -658,10 +677,6 @@ def atoms_of(w):
     if isinstance(w, sp.And | sp.Or | sp.Not):
         return [x for part in w.args for x in atoms_of(part)]
     return [w] if isinstance(w, sp.Rel) else []
-
-
-def _equations_only(w):
-    return all(x.func is sp.Eq for x in atoms_of(w))
 
 
 def _substituted(g, values):
