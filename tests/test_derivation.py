@@ -28,7 +28,7 @@ def none_wrong(tally):
 @pytest.mark.parametrize("name", evaluate.CORPORA)
 def test_labelled_steps(name, request, monkeypatch):
     sweep = request.config.getoption("--sweep", default=False)
-    part = {"own": 4, "own_2": 10}.get(name, 2)
+    part = {"own": 4, "own_2": 10, "own_3": 10}.get(name, 2)
     if not sweep:
         some = evaluate.load(name)[1::part]
         monkeypatch.setattr(evaluate, "load", lambda name: some)
@@ -147,6 +147,34 @@ NOT_PROVED = "sampled|refuted|undecided"
         ("", "x/(1+x**2)**2<3*sqrt(3)/16", REAL, "refuted"),
         ("sqrt(2)", "1.4142135623730951", {}, "refuted"),
         ("1-cos(x)", "x**2/2", {"x": "(0,1/1000)"}, "refuted"),
+        # Corners: everything zero or one, an angle that is part of a turn, a diagonal matrix.
+        (
+            "Sum(x[i]**2,(i,1,N))",
+            "Sum(x[i]**2,(i,1,N))**2/Sum(x[i]**2,(i,1,N))",
+            SEQUENCE,
+            "refuted",
+        ),
+        ("", "x*cos(a)+y*sin(a)<sqrt(x**2+y**2)", {"a": "angle", "x": ">0", "y": ">0"}, "refuted"),
+        ("", "P.inv()[0,0]>1/P[0,0]", {"P": "spd3"}, "refuted"),
+        ("x-2*pi*floor((x+pi)/(2*pi))", "atan2(sin(x),cos(x))", REAL, "refuted"),
+        ("", "x**4-3*x**2+9/4>0", REAL, "refuted"),
+        ("", "(x-sqrt(2))**2>0", REAL, "refuted"),
+        ("", "(x-sqrt(2))**2>=0", REAL, "proved"),
+        # What 200 bits cannot tell, terms of a series that still rise, roots that touch zero.
+        ("sqrt(10**40+x)-10**20", "x/(2*10**20)", {"x": ">0"}, "refuted"),
+        (
+            "Sum((1-q)**m*binomial(k+m-1,k)*q**k,(k,0,oo))",
+            "1",
+            {"m": "int>=1", "q": "(0,1)"},
+            NOT_PROVED,
+        ),
+        ("Integral(sqrt(1-cos(x)),(x,0,4*pi))", "8*sqrt(2)", {}, "sampled"),
+        (
+            "Integral(cos(t*z)*exp(-z**2/2)/sqrt(2*pi),(z,-oo,oo))",
+            "1-t**2/2",
+            {"t": "(0,1/10)"},
+            "refuted",
+        ),
         # Conditions are said.
         ("cot(x)*sin(x)", "cos(x)", REAL, "proved"),
         ("Sum(x[i]/x[i],(i,1,N))", "N", SEQUENCE, "proved"),

@@ -70,8 +70,8 @@ def as_float(x):
 class Arithmetic:
     """Exact and interval arithmetic with `prec` bits."""
 
-    def __init__(self, prec):
-        self.prec = prec
+    def __init__(self, prec, lenient=False):
+        self.prec, self.lenient = prec, lenient  # the root of what is zero or a bit less is zero
         self.mp = mpmath.MPContext()
         self.mp.prec = prec + 40
 
@@ -186,6 +186,8 @@ class Arithmetic:
 
     def root(self, x):
         s = sign(x)
+        if s is None and self.lenient:
+            return libmp.fzero, libmp.mpf_sqrt(x[1], self.prec, "c")
         if s is None and libmp.mpf_sign(x[1]) >= 0:
             raise Imprecise("the root of what may be zero")
         if s is not None and s < 0:
@@ -221,7 +223,7 @@ class Arithmetic:
 
     def _turned(self, x):
         if abs(as_float(x)) > 1e30:
-            raise Unreliable("a very large angle")
+            return ((libmp.fnone, libmp.fone),) * 2
         return libmpi.mpi_cos_sin(self.interval(x), self.prec)
 
     def tan(self, x):
@@ -271,7 +273,7 @@ class Arithmetic:
         if sy in (1, -1):
             quarter = self.multiply([Fraction(sy, 2), self.pi()])
             return self.subtract(quarter, self.atan(self.divide(x, y)))
-        if sx == -1 and sy == 0:
+        if sx == -1 and (sy == 0 or self.settled(y, libmp.fone, 700)):
             return self.pi()
         raise Imprecise("an angle at its jump")
 

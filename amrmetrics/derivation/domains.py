@@ -123,7 +123,11 @@ class Real(Domain):
     def draw(self, rng, style, values):
         if self.text == "angle" and style == "edge":
             return rng.choice(ANGLES)
+        if style in ("zero", "one"):
+            return Fraction(0 if self.zero and style == "zero" else self.sign or 1)
         s = self.sign or rng.choice([1, -1])
+        if style == "near":
+            return Fraction(s, rng.choice([5, 10, 30, 100]))
         if style == "small":
             return Fraction(
                 s * rng.choice([0 if self.zero and rng.random() < 0.3 else 1, 1, 2, 2, 3, 4, 5])
@@ -206,6 +210,8 @@ class Interval(Domain):
         low, high = self._ends(values)
         if not low < high:
             raise NoRoom
+        if style in ("zero", "one") and self.contains(sp.Integer(style == "one"), values):
+            return Fraction(style == "one")
         if style == "edge" and any(self.closed) and rng.random() < 0.7:
             return rng.choice([e for e, c in zip((low, high), self.closed, strict=True) if c])
         if high == sp.oo or low == -sp.oo:
@@ -222,8 +228,8 @@ class Interval(Domain):
                 return rng.choice(inside)
         if style == "small":
             share = Fraction(*rng.choice([(1, 2), (1, 4), (3, 4), (1, 3), (2, 3)]))
-        elif style in ("wild", "edge"):
-            share = Fraction(1, 10 ** rng.choice([3, 6, 9]))
+        elif style in ("wild", "edge", "near"):
+            share = Fraction(1, 10 ** rng.choice([3, 6, 9] if style != "near" else [1, 2]))
             share = rng.choice([share, 1 - share])
         else:
             share = Fraction(rng.randint(1, 96), 97)
@@ -420,6 +426,10 @@ class Matrix(Domain):
             x = Fraction(rng.randint(1, 3)) if style in ("small", "edge") else fraction(rng)
             return x if positive else rng.choice([x, -x, x - 1])
 
+        if style == "one" and rows == columns:
+            return [[Fraction(int(i == j)) for j in range(rows)] for i in range(rows)]
+        if style == "zero" and self.family in ("vec", "mat", "sym"):
+            return [[Fraction(0)] * columns for _ in range(rows)]
         if self.family in ("rot", "se"):
             return self._turn(rng, style, rows, number)
         if style == "edge" and rng.random() < 0.4 and self.family in ("vec", "mat", "sym"):
@@ -428,8 +438,9 @@ class Matrix(Domain):
         if self.family == "sym":
             return [[x[max(i, j)][min(i, j)] for j in range(columns)] for i in range(rows)]
         if self.family in ("spd", "chol"):
+            bare = style == "zero" or (style == "edge" and rng.random() < 0.4)  # diagonal
             L = [
-                [number(True) if i == j else x[i][j] if i > j else Fraction(0) for j in range(rows)]
+                [number(True) if i == j else x[i][j] * (i > j and not bare) for j in range(rows)]
                 for i in range(rows)
             ]
             if self.family == "chol":

@@ -199,9 +199,12 @@ def _series(body, name, first, at, combine):
     if bound is not None and bound < abs(a.number(a.add(total))) * a.mp.mpf(2) ** -60:
         return a.add([a.add(total), a.around(0, 4 * bound)])
     _refuse_slow_decay(term, [10**3, 10**3 + 1, 10**4, 10**4 + 1, 10**5, 10**5 + 1], a)
+    signs = {sign(t) for t in total}
     a.mp.dps = 20
     try:
         s = a.mp.nsum(lambda k: a.number(term(int(k))), [first, a.mp.inf])
+        if len(signs) == 1 and abs(s) < abs(a.number(a.add(total))):
+            raise Unreliable("a series of which the first terms tell nothing")
     except (ValueError, ZeroDivisionError, OverflowError):
         raise Unreliable("a series that does not settle") from None
     finally:
@@ -296,7 +299,7 @@ def _quadrature(w, at):
     digits = 12 if nested or inmost else 22 if at.arithmetic.prec < 400 else 34
     rough = nested or inmost
     inner = at.sharper(1)
-    inner.arithmetic = a = Arithmetic(4 * digits)
+    inner.arithmetic = a = Arithmetic(4 * digits, lenient=True)
     mp = a.mp
     mp.dps = digits
     low, high = (_end(x, at, a) for x in ends)
@@ -370,7 +373,9 @@ def _cuts(body, name, low, high, at, exact):
     found = []
     if span[0] < span[1]:
         xs = [span[0] + (span[1] - span[0]) * (mp.mpf(k) + mp.mpf("0.37")) / 40 for k in range(40)]
-        for g in breaks(body, only=name):
+        places = breaks(body, only=name)
+        places += [g.diff(name) for g in places if g.has(sp.sin, sp.cos) and not g.has(*BENT)]
+        for g in places:  # a wave may touch zero without a change of sign
             found += _roots_between(lambda x, g=g: sign_at(g, name, exact(x), at), xs)
     if mp.isinf(low) or mp.isinf(high):
         found += [c for c in (-4, 0, 4) if low < c < high]

@@ -51,6 +51,8 @@ def refutation(search):
         text = f"at {place} the line before is {a}, but the line after is not defined"
     elif kind == "diverges":
         text = f"at {place} the line before has no finite value, but the line after is {b}"
+    elif kind == "claim" and str(a) == str(b):
+        text = f"at {place} both sides are {a}"
     elif kind == "claim":
         text = f"at {place} the left side is {a} and the right side is {b}"
     else:
@@ -104,13 +106,13 @@ def number(x, digits=8):
 def told_apart(p, q):
     """Return both values with as many digits as it takes to see that they differ."""
     a, b = (sp.nan if isinstance(x, Undefined) else number(x) for x in (p, q))
-    digits = 8
-    while str(a) == str(b):
-        digits *= 2
-        if digits > 130 or isinstance(p, list | Undefined):
+    if isinstance(p, list | Undefined):
+        return a, b
+    for digits in (16, 32, 64, 128):
+        if str(a) != str(b):
             break
         a, b = (decimal(x, digits) for x in (p, q))
-    return a, b
+    return (number(p), number(q)) if str(a) == str(b) else (a, b)
 
 
 def decimal(x, digits):
@@ -162,7 +164,7 @@ def difference_in_words(search):
         return ""
     search.budget.left = 60_000
     pairs = [(x, y) for x, y in compared(search) if x or y]
-    if len(pairs) < 3 or any(x == y for x, y in pairs):
+    if len(pairs) < 3 or any(abs(x - y) < 1e-12 * abs(x) for x, y in pairs):
         return ""
     if all(x and y for x, y in pairs) and constant([y / x for x, y in pairs]):
         return _factor(pairs[0][1] / pairs[0][0])

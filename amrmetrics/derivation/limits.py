@@ -10,7 +10,7 @@ import time
 from inspect import CO_GENERATOR
 
 EVENTS = 4_000_000  # calls and returns in a second of an ordinary machine
-CHUNK = 512
+CHUNK = 64
 
 
 class TimeUp(BaseException):

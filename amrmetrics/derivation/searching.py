@@ -12,7 +12,7 @@ from sympy.core.function import AppliedUndef
 
 from .arithmetic import Imprecise, Undefined, Unreliable, as_float, sign
 from .breaks import breaks, minus
-from .domains import LARGE, Index, NoRoom, Sized, exact, rational
+from .domains import ANGLES, LARGE, Index, NoRoom, Sized, exact, rational
 from .evaluating import (
     BENT,
     SCOPES,
@@ -206,13 +206,14 @@ class Search:
 
     def everywhere(self):
         """Yield (kind of place, values) from the plain to the remote."""
-        styles = ["small", "fraction", "fraction"] * 3 if self.rough else STYLES
+        styles = ["small", "fraction", "near"] * 3 if self.rough else STYLES
         if is_claim(self.after) and self.before is not None:  # each is solved for its unknowns, too
             styles = STYLES[:11:2] + STYLES[15::2]
         if not self.domains:
             styles = styles[:1]
         for k, style in enumerate(styles):
             yield style, self._drawn(k, style)
+        yield from self._corners()
         yield from self._zeros()
         yield from self._whole_numbers()
         yield from self._at_breaks(self.lines)
@@ -224,6 +225,19 @@ class Search:
             except NoRoom:  # one name leaves no room for another
                 continue
         return None
+
+    def _corners(self):
+        """Points at which everything is zero or one, and angles are parts of a turn."""
+        for style in ("zero", "one"):
+            yield "zero", self._drawn(700, style)
+        turning = any(w.has(sp.sin, sp.cos, sp.tan, sp.cot, sp.pi) for w in self.lines)
+        names = [n for n, d in self.domains.items() if d.real and (turning or d.text == "angle")]
+        angles = [n for n in names if self.domains[n].text == "angle"] or names
+        for angle in ANGLES if angles else ():
+            values = self._drawn(700, "one") or {}
+            chosen = [n for n in angles if n in values and self.domains[n].contains(angle, values)]
+            if chosen:
+                yield "zero", {**values, **dict.fromkeys(chosen, exact(angle))}
 
     def _zeros(self):
         free = [n for n, d in self.domains.items() if d.real and d.contains(0)]
@@ -352,9 +366,9 @@ class Search:
             return self._claim(at, values)
         if is_claim(self.before):
             return self._pair_of_claims(at)
-        return self._formulas(at)
+        return self._formulas(at, prec)
 
-    def _formulas(self, at):
+    def _formulas(self, at, prec):
         sides = []
         for w in (self.before, self.after):
             try:
@@ -372,7 +386,7 @@ class Search:
             return ("enlarged" if a.kind in HALF else "undefined"), sides
         bits = self.bits if self.rough else at.arithmetic.prec // 2
         same = compare(a, b, at.arithmetic, bits, libmp.from_float(self.floor))
-        if same is None:  # where terms cancel, their size counts
+        if same is None and (self.rough or prec == PRECISIONS[-1]):  # the size of what cancels
             sizes = [magnitude(w, at)._mpf_ for w in (self.before, self.after)]
             same = compare(a, b, at.arithmetic, bits, at.arithmetic.larger(*sizes))
         return {"equal": "holds", "different": "wrong", None: None}[same], ("values", a, b)
@@ -388,8 +402,10 @@ class Search:
             size = sum(abs(as_float(x)) for x in seen[1:]) or 1.0
             self.closest.append((margin / size, values))
             if answer is None and isinstance(w, sp.Gt | sp.Lt):
-                tied = compare(*seen[1:], a, a.prec // 2) == "equal" and self._tie(w, values)
-                answer = False if tied else None
+                answer = False if self._tie(w, values) else None
+                if answer is False:
+                    exact_side = seen[2] if isinstance(seen[2], Fraction) else seen[1]
+                    seen = "claim", exact_side, exact_side
         return {True: "holds", False: "wrong", None: None}[answer], seen
 
     def _tie(self, w, values):
@@ -716,8 +732,14 @@ def exact_roots(g, name, values):
         if not e.is_polynomial(t) or e.free_symbols - {t}:
             return None
         p = sp.Poly(e, t)
-        if p.is_zero or p.degree() > 6 or not all(c.is_Rational for c in p.all_coeffs()):
+        if p.is_zero or p.degree() > 6:
             return None
-        return sorted(set(sp.real_roots(p.sqf_part())), key=lambda r: abs(sp.N(r, 15)))
+        if all(c.is_Rational for c in p.all_coeffs()):
+            found = sp.real_roots(p.sqf_part())
+        elif p.degree() <= 2:
+            found = [r for r in sp.roots(p) if r.is_real]
+        else:
+            return None
+        return sorted(set(found), key=lambda r: abs(sp.N(r, 15)))
 
     return bounded(solve, 0.3)[1]
