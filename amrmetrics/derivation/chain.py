@@ -371,7 +371,7 @@ def _html(steps, given=None, name="", closing=""):
     rows = [("", title + given.html())] if given else []
     for s in steps:
         formula = ("" if rows else title) + s.line.html()
-        why = prose(s.reason).replace("  ", "&ensp;")
+        why = prose(s.reason).replace("  ", "&nbsp;&nbsp;")  # no mark alone in a row
         cell = f"<div {FORMULA}>{formula}</div><div {REASON}>{why}</div>"
         remarks = "".join(f"<div>{html.escape(r, quote=False)}</div>" for r in s.remarks)
         rows.append((s.sign, f"<div {BOTH}>{cell}</div>{remarks}"))
