@@ -403,6 +403,29 @@ def test_time_limits_need_no_thread_and_leave_nothing_behind():
     assert sys.getprofile() is None
 
 
+def test_a_limit_never_stops_its_own_end(monkeypatch):
+    monkeypatch.setattr("amrmetrics.derivation.limits.CHUNK", 1)
+    spent = []
+    for work in range(12):  # some of them end just where the limit is
+        try:
+            spent.append(bounded(lambda work=work: [abs(k) for k in range(work)], 1.5e-6)[0])
+        finally:
+            assert sys.getprofile() is None
+    assert {True, False} == set(spent)
+
+
+def test_a_profiler_goes_on_after_a_limit():
+    import cProfile
+
+    profiler = cProfile.Profile()
+    profiler.enable()
+    bounded(lambda: sum(range(10)), 1)
+    abs(-1)
+    profiler.disable()
+    names = [entry.code for entry in profiler.getstats()]
+    assert any("abs" in str(name) for name in names)
+
+
 def test_a_limit_inside_a_limit_keeps_both():
     inner = []
 

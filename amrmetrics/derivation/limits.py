@@ -27,9 +27,11 @@ class _Watch:
     def __init__(self, seconds, wall, outer):
         self.left, self.end = seconds * EVENTS, time.monotonic() + wall
         self.outer = outer if isinstance(outer, _Watch) else None
-        self.since = 0
+        self.since, self.over = 0, False
 
     def __call__(self, frame, event, argument):
+        if self.over:  # the call has returned: what ends the watch must not be stopped
+            return
         self.since += 1
         # An exception that arrives while a generator is being closed would be lost, with a message.
         begins = event in ("call", "c_call") and not frame.f_code.co_flags & CO_GENERATOR
@@ -69,6 +71,7 @@ def bounded(call, seconds, wall=None):
             raise
         return False, None
     finally:
+        watch.over = True
         if callable(before) or before is None:
             sys.setprofile(before)
         else:  # a profiler of the standard library, which is no function
