@@ -189,13 +189,13 @@ test_function.__test__ = False  # for pytest, which takes every test_* for a tes
 
 
 def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()):
-    """Check a formula that was entered as text.
+    """Check a formula that was entered as text, or as a SymPy object.
 
     Parameters
     ----------
     name : str
         What is asked, as the student knows it.
-    yours : str
+    yours : str or SymPy object
         The student's formula.
     expected : str
         A formula that it must equal on the whole domain, in a form that does not show it.
@@ -220,8 +220,7 @@ def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()
     """
     from amrmetrics.derivation import check_step
 
-    _require_answer(name, yours)
-    _require_kind(name, yours, "text")
+    yours = _as_text(name, yours)
     if re.search(r"(?<![=<>!])=(?!=)|^\s*Eq\(", yours):
         raise NotYet(f"{name}: enter the right side alone, without an equals sign and a left side.")
     alone = check_step(yours, yours, domains)
@@ -331,7 +330,7 @@ def wrong_line(number, corrected, lines, domains):
     ----------
     number : int
         The line that does not follow from the one above it, counted from 1.
-    corrected : str
+    corrected : str or SymPy object
         What the student writes in its place.
     lines : list of str
         The given derivation, with one wrong step.
@@ -358,7 +357,7 @@ def wrong_line(number, corrected, lines, domains):
             f"the number of the line: a whole number from 2 to {len(lines)} is asked, you have "
             f"{_show(number)}. The first line is given."
         )
-    _require_kind("the corrected line", corrected, "text")
+    corrected = _as_text("the corrected line", corrected)
     number = int(number)
     above, given = lines[number - 2 : number]
     step = check_step(above, corrected, domains)
@@ -426,6 +425,15 @@ def _describe(error):
 def _require_answer(name, yours):
     if yours is ... or yours is None:
         raise NotYet(f"{name}: there is no answer yet. Replace the dots.")
+
+
+def _as_text(name, yours):
+    """Return a formula as text, also if it was entered as a SymPy object."""
+    _require_answer(name, yours)
+    if not isinstance(yours, str) and hasattr(yours, "free_symbols"):
+        return str(yours)
+    _require_kind(name, yours, "text")
+    return yours
 
 
 def _require_kind(name, yours, expected):

@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+import sympy as sp
 from sympy.parsing.sympy_parser import parse_expr
 
 import amrmetrics as am
@@ -184,7 +185,9 @@ class TestFunction:
 class TestFormula:
     DOMAINS = {"x": "real", "y": ">0"}
 
-    @pytest.mark.parametrize("yours", ["2*x*y", "x*y + y*x", "(2*x)*y"])
+    X, Y = sp.symbols("x y")
+
+    @pytest.mark.parametrize("yours", ["2*x*y", "x*y + y*x", "(2*x)*y", 2 * X * Y, (X + X) * Y])
     def test_accepts_every_form(self, yours):
         check.formula("slope", yours, "Derivative(x**2*y, x)", self.DOMAINS)
 
@@ -266,6 +269,12 @@ class TestWrongLine:
     )
     def test_says_what_is_wrong_with_the_line(self, number, line, says):
         assert says in message(check.wrong_line, number, line, self.LINES, self.DOMAINS)
+
+    def test_takes_sympy_objects(self):
+        x, y = sp.symbols("x y")
+        wrong = ["x*(x + y)", "x**2 + y", "y + x**2"]
+        check.wrong_line(2, x**2 + x * y, wrong, self.DOMAINS)
+        assert "compared with line 1" in message(check.wrong_line, 2, x**2 - y, wrong, self.DOMAINS)
 
     def test_a_wrong_number_and_a_wrong_line_sound_alike(self):
         """Else the number could be found by trying all of them."""
