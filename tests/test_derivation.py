@@ -175,6 +175,13 @@ NOT_PROVED = "sampled|refuted|undecided"
             {"t": "(0,1/10)"},
             "refuted",
         ),
+        # Both parities, where few points can be afforded.
+        (
+            "Integral(z**n*exp(-z**2/2)/sqrt(2*pi),(z,-oo,oo))",
+            "(1+(-1)**n)/2*factorial(n)/(2**(2*n)*gamma(n/2+1))",
+            {"n": "int>=0"},
+            "refuted",
+        ),
         # Conditions are said.
         ("cot(x)*sin(x)", "cos(x)", REAL, "proved"),
         ("Sum(x[i]/x[i],(i,1,N))", "N", SEQUENCE, "proved"),

@@ -293,7 +293,9 @@ class Whole(Domain):
         high = min(high, longest)
         if high < low:
             raise NoRoom
-        if style in ("small", "fraction"):
+        if style in ("zero", "one"):
+            n = max(low, int(style == "one"))
+        elif style in ("small", "fraction", "near"):
             n = low + rng.choice([0, 1, 1, 2, 2, 3, 4, 5, 6])
         elif style == "edge":
             n = rng.choice([low, high]) if high < 10**6 else low

@@ -211,11 +211,14 @@ class Search:
             styles = STYLES[:11:2] + STYLES[15::2]
         if not self.domains:
             styles = styles[:1]
+        if self.rough:  # few points can be afforded: the first whole numbers, of both parities
+            yield from self._whole_numbers()
         for k, style in enumerate(styles):
             yield style, self._drawn(k, style)
         yield from self._corners()
         yield from self._zeros()
-        yield from self._whole_numbers()
+        if not self.rough:
+            yield from self._whole_numbers()
         yield from self._at_breaks(self.lines)
 
     def _drawn(self, k, style):
