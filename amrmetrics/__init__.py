@@ -29,7 +29,7 @@ __getattr__, __dir__, __all__ = _lazy.attach(
             "pose_errors",
             "runs_needed",
         ],
-        "errors": ["AmrError", "DegenerateAlignmentError"],
+        "errors": ["AmrError", "DegenerateAlignmentError", "RecordingWarning"],
         "files": [
             "Trajectory",
             "read_euroc",
@@ -37,6 +37,16 @@ __getattr__, __dir__, __all__ = _lazy.attach(
             "read_tum",
             "write_kitti",
             "write_tum",
+        ],
+        "g2o": ["read_g2o", "write_g2o"],
+        "least_squares": ["Optimization", "optimize"],
+        "loops": [
+            "InlierRatio",
+            "PrecisionRecall",
+            "ResidualSummary",
+            "inlier_ratio",
+            "precision_recall",
+            "residual_summary",
         ],
         "maps": [
             "Confusion",
@@ -47,6 +57,7 @@ __getattr__, __dir__, __all__ = _lazy.attach(
             "hausdorff",
             "threshold_sweep",
         ],
+        "pose_graph": ["PoseGraph"],
         "poses": [
             "inverse",
             "path_length",

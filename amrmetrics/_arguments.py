@@ -209,11 +209,11 @@ def as_stamps(value, name):
     return array
 
 
-def as_count(value, name):
-    """Return `value` as an int of at least 1."""
+def as_count(value, name, least=1):
+    """Return `value` as an int of at least `least`."""
     number = as_numbers(value, name)
-    if number.ndim or number < 1 or number != np.round(number):
-        raise AmrError(f"{name} is {value!r}; expected a whole number of at least 1.")
+    if number.ndim or number < least or number != np.round(number):
+        raise AmrError(f"{name} is {value!r}; expected a whole number of at least {least}.")
     return int(number)
 
 
@@ -226,6 +226,14 @@ def as_size(value, name, *shapes, sign="> 0"):
     if not {"> 0": number > 0, ">= 0": number >= 0, "": np.True_}[sign].all():
         raise AmrError(f"{name} is {value!r}; expected {sign}.")
     return number
+
+
+def as_probability(value, name):
+    """Return `value` as a float strictly between 0 and 1."""
+    number = as_numbers(value, name)
+    if number.ndim or not 0 < number < 1:
+        raise AmrError(f"{name} is {value!r}; expected a number between 0 and 1, such as 0.95.")
+    return float(number)
 
 
 def as_generator(rng):

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from amrmetrics._arguments import as_count, as_numbers, as_pose_pair
+from amrmetrics._arguments import as_count, as_numbers, as_pose_pair, as_probability
 from amrmetrics.errors import AmrError
 
 # Correlations of independent values stay inside 3 / sqrt(n) in 99.7 % of all recordings.
@@ -230,7 +230,7 @@ def consistency_test(values, dof, confidence=0.95):
     if values.min() < 0:
         k = np.argwhere(values < 0)[0].tolist()
         raise AmrError(f"values{k} is {values.min():.6g}; a NEES or NIS cannot be negative.")
-    dof, confidence = as_count(dof, "dof"), _as_probability(confidence, "confidence")
+    dof, confidence = as_count(dof, "dof"), as_probability(confidence, "confidence")
     n, mean = values.size, float(values.mean())
     n_effective = n / _inflation(np.atleast_2d(values))
     total = n_effective * dof
@@ -353,7 +353,7 @@ def consistency_power(dof, trials, inflation, confidence=0.95):
     """
     from scipy.stats import chi2
 
-    dof, confidence = as_count(dof, "dof"), _as_probability(confidence, "confidence")
+    dof, confidence = as_count(dof, "dof"), as_probability(confidence, "confidence")
     inflation, trials = as_numbers(inflation, "inflation"), as_numbers(trials, "trials")
     if inflation.size and inflation.min() <= 0:
         raise AmrError(f"inflation is {inflation.min():g}; a ratio of covariances is positive.")
@@ -400,7 +400,7 @@ def runs_needed(dof, inflation, power=0.9, confidence=0.95):
     >>> am.consistency_power(3, n - 1, 0.8) < 0.9 <= am.consistency_power(3, n, 0.8)
     True
     """
-    power = _as_probability(power, "power")
+    power = as_probability(power, "power")
     if power <= 1 - confidence:
         raise AmrError(f"power is {power:g}; even a consistent filter is noticed that often.")
     if not abs(float(as_numbers(inflation, "inflation")) - 1) > 1e-4:
@@ -494,10 +494,3 @@ def _inflation(values):
             break
         total += rho
     return 1 + 2 * total
-
-
-def _as_probability(value, name):
-    number = as_numbers(value, name)
-    if number.ndim or not 0 < number < 1:
-        raise AmrError(f"{name} is {value!r}; expected a number between 0 and 1, such as 0.95.")
-    return float(number)

@@ -9,6 +9,13 @@ class AmrError(ValueError):
     """
 
 
+class RecordingWarning(UserWarning):
+    """A file was not quite in its format, and was read all the same.
+
+    The message says what was repaired or left out, how often, and where first.
+    """
+
+
 class DegenerateAlignmentError(AmrError):
     """The positions do not determine the alignment.
 

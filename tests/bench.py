@@ -9,6 +9,10 @@ Both see the same numbers, in the same run; ours is timed before and after the p
 all times are medians of processor time, which other programs disturb least. The copy of the input
 is what memory allows: no method reads it faster.
 
+The peer of threshold curves of closures is scikit-learn, too. Pose graphs have a table of their
+own: Manhattan worlds from dead reckoning, against gtsam's Levenberg-Marquardt optimizer from a
+prepared graph, both with default settings; a time counts only if both end at the same chi-square.
+
 A peer gets a size only if ten times its last one is below a minute: longer rows have no ratio.
 """
 
@@ -29,17 +33,28 @@ from evo.core import metrics, sync, trajectory, units
 from evo.tools import file_interface
 from scipy.spatial.distance import directed_hausdorff
 from scipy.spatial.transform import Rotation
-from sklearn.metrics import brier_score_loss, log_loss, precision_recall_curve
+from sklearn.metrics import (
+    average_precision_score,
+    brier_score_loss,
+    log_loss,
+    precision_recall_curve,
+)
 
 import amrmetrics as am
 from amrmetrics import plotting
 
+try:
+    import gtsam
+except ImportError:  # it has no wheel for every Python and system
+    gtsam = None
+
 SIZES = (1_000, 10_000, 100_000, 1_000_000)
 PLOT = Path(__file__).resolve().parent.parent / "build" / "bench.png"
 LONGEST = 60  # seconds that a peer may be expected to take for a row
+GRAPHS = (1_600, 5_600, 16_000, 50_000, 100_000)  # edges, of which 5/8 are odometry
 ENOUGH = 0.3  # seconds for which a call is repeated
 METERS = units.Unit.meters
-SAME = ("ATE", "RPE", "cross_entropy", "brier", "hausdorff")
+SAME = ("ATE", "RPE", "cross_entropy", "brier", "precision_recall", "hausdorff")
 RELATIONS = (metrics.PoseRelation.translation_part, metrics.PoseRelation.rotation_angle_rad)
 # At N = 100 000: how many times faster than evo, and how many bytes per sample beside the input.
 TARGETS = {
@@ -96,6 +111,10 @@ def our_rpe(X, Y, unit="frames"):
     return [error.translation.rmse, error.rotation.rmse]
 
 
+def closure_precision(labels, scores):
+    return am.precision_recall(labels, scores).average_precision
+
+
 def both_ways(P, Q):
     return max(directed_hausdorff(P, Q)[0], directed_hausdorff(Q, P)[0])
 
@@ -108,6 +127,7 @@ def map_jobs(rng, n):
     yield "cross_entropy", cells, am.cross_entropy, lambda: cells, log_loss
     yield "brier", cells, am.brier, lambda: cells, brier_score_loss
     yield "threshold_sweep", cells, am.threshold_sweep, lambda: cells, precision_recall_curve
+    yield "precision_recall", cells, closure_precision, lambda: cells, average_precision_score
     P, Q = (np.c_[rng.uniform(0, 100, n), 0.02 * rng.normal(size=(n, 2))] for _ in "PQ")
     yield "chamfer", (P, Q), am.chamfer, lambda: (P, Q), both_ways
     yield "hausdorff", (P, Q), am.hausdorff, lambda: (P, Q), both_ways
@@ -133,6 +153,75 @@ def jobs(rng, n, folder):
     theirs = file_interface.read_tum_trajectory_file
     yield "read_tum", (t, X), lambda *_: am.read_tum(path), lambda: [path], theirs
     yield from map_jobs(rng, n)
+
+
+def gtsam_problem(graph):
+    """Return the factors and the start of a planar graph, its first node held."""
+
+    def pose(T):
+        return gtsam.Pose2(T[0, 2], T[1, 2], np.arctan2(T[1, 0], T[0, 0]))
+
+    factors, start = gtsam.NonlinearFactorGraph(), gtsam.Values()
+    rows = zip(graph.edges.tolist(), graph.measurements, graph.information, strict=True)
+    for (i, j), Z, W in rows:
+        noise = gtsam.noiseModel.Gaussian.Information(W)
+        factors.add(gtsam.BetweenFactorPose2(i, j, pose(Z), noise))
+    factors.add(gtsam.NonlinearEqualityPose2(0, pose(graph.poses[0])))
+    for k, X in enumerate(graph.poses):
+        start.insert(k, pose(X))
+    return factors, start
+
+
+def gtsam_seconds(graph):
+    """Return the processor time of gtsam, once warm, and the chi-square where it ends."""
+    factors, start = gtsam_problem(graph)
+    times = []
+    for _ in range(2 if len(graph.edges) < 20_000 else 1):
+        optimizer = gtsam.LevenbergMarquardtOptimizer(factors, start)
+        begin = time.process_time()
+        found = optimizer.optimize()
+        times.append(time.process_time() - begin)
+    return min(times), 2 * factors.error(found)
+
+
+def measure_graphs(sizes):
+    """Print how fast pose graphs are optimized, and return [(edges, seconds, per iteration)]."""
+    print(f"{'pose graph':26}{'edges':>8} {'ours':>10} {'gtsam':>10} {'ratio':>7}", end="")
+    print(f" {'steps':>6} {'each':>10} {'chi-square':>12} {'difference':>11}")
+    rows = []
+    for edges in sizes:
+        poses = round(edges * 5 / 8)
+        run = am.simulation.city_run(
+            np.random.default_rng(edges), poses, closures=edges - poses + 1, aliased=0, unlike=0
+        )
+        graph = run.graph()
+        am.optimize(graph, max_iterations=1)  # what it imports is loaded now
+        mine = min(seconds(lambda graph=graph: am.optimize(graph)))
+        result = am.optimize(graph)
+        each = mine / result.iterations
+        peer, ratio, difference = "", "", ""
+        if gtsam:
+            theirs, chi_square = gtsam_seconds(graph)
+            peer, ratio = f"{theirs:.4f} s", f"{theirs / mine:.2f}"
+            difference = f"{result.chi_square / chi_square - 1:.1e}"
+            if edges == 5_600:
+                met = 3 * theirs >= mine and abs(result.chi_square / chi_square - 1) < 1e-6
+                verdict = f"{'met   ' if met else 'MISSED'} pose graph of {edges} edges: "
+                verdict += f"{mine / theirs:.2f} times gtsam's time (at most 3)"
+        print(
+            f"{'Manhattan world':26}{edges:8} {1e3 * mine:7.1f} ms {peer:>10} {ratio:>7} "
+            f"{result.iterations:6} {1e3 * each:7.1f} ms {result.chi_square:12.6g} "
+            f"{difference:>11}",
+            flush=True,
+        )
+        rows.append((edges, mine, each))
+    if gtsam and 5_600 in sizes:
+        print(verdict)
+    if len(rows) > 1:
+        (n, _, first), (m, _, last) = rows[0], rows[-1]
+        power = np.log(last / first) / np.log(m / n)
+        print(f"pose graph: from {n} to {m} edges, time per iteration grows like N^{power:.2f}")
+    return rows
 
 
 def seconds(call):
@@ -224,7 +313,7 @@ def conclude(rows):
 def draw(rows, path):
     """Save a log-log plot of all times."""
     plotting.use_style()
-    fig, axes = plt.subplots(3, 5, figsize=(16, 10), sharex=True, sharey=True)
+    fig, axes = plt.subplots(4, 4, figsize=(14, 12), sharex=True, sharey=True)
     for ax, (name, done) in zip(axes.flat, rows.items(), strict=True):
         n, mine, peer, copy, *_ = np.array(done).T
         ax.loglog(n, mine, color=plotting.BLUE, ls="-", marker="o", label="amrmetrics")
@@ -248,6 +337,7 @@ def main(arguments, plot=PLOT):
     with tempfile.TemporaryDirectory() as folder:
         rows = measure(sizes, Path(folder))
     conclude(rows)
+    measure_graphs(GRAPHS)
     draw(rows, plot)
     return 0
 

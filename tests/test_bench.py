@@ -5,10 +5,20 @@ import bench
 
 def test_runs_and_says_what_it_measured(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(bench, "ENOUGH", 0)
+    monkeypatch.setattr(bench, "GRAPHS", (800, 1_600))
     assert bench.main(["100", "100"], tmp_path / "new" / "bench.png") == 0
     said = capsys.readouterr().out
-    for row in ("ATE of positions planar", "RPE spatial, 1 m", "associate", "read_tum", "chamfer"):
+    for row in (
+        "ATE of positions planar",
+        "RPE spatial, 1 m",
+        "associate",
+        "read_tum",
+        "chamfer",
+        "precision_recall",
+    ):
         assert said.count(row) == 1
+    assert said.count("Manhattan world  ") == 2
+    assert "from 800 to 1600 edges, time per iteration grows like" in said
     assert (tmp_path / "new" / "bench.png").read_bytes().startswith(b"\x89PNG")
 
 

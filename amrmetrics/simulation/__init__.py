@@ -1,10 +1,12 @@
 """Seeded robots and what they measure: data whose truth is known.
 
 The source lesson's demonstration, which lecture 00 measures; a planar robot among landmarks
-with filters that are consistent and filters that are not, for lecture 04; and a robot that
-maps a building with a range scanner, for lectures 05 and 06.
+with filters that are consistent and filters that are not, for lecture 04; a robot that
+maps a building with a range scanner, for lectures 05 and 06; and a drive through a city of
+look-alike blocks with the loop closures that a detector proposes, for lecture 07.
 """
 
+from .city import CityRun, city_run
 from .filters import (
     LANDMARKS,
     Log,
@@ -21,10 +23,12 @@ from .mapping import Scans, occupancy_grid, point_map, scan_room
 __all__ = [
     "LANDMARKS",
     "SAMPLES",
+    "CityRun",
     "Demonstration",
     "Log",
     "Run",
     "Scans",
+    "city_run",
     "demonstration",
     "drive",
     "ekf_localization",
