@@ -1,5 +1,6 @@
 """One step: read, collect the conditions, look for a counterexample, look for a proof."""
 
+import time
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -11,6 +12,7 @@ from .proving import Model, conditions, proved
 from .reading import Unreadable, apart, is_claim, is_matrix, read, scalar
 from .searching import Search
 
+LONGEST = 9  # seconds by the clock, which only a slow machine meets
 FEW = 2  # points at which integrals and limits are evaluated before a proof is looked for
 RELATIONS = ("iff", "implies", "implied_by")
 MARKS = {"proved": "✓", "sampled": "≈", "refuted": "✗", "undecided": "?", "unreadable": "!"}
@@ -73,7 +75,8 @@ def check_step(before, after, domains, relation="iff", unknown=None, seed=0):
     if relation not in RELATIONS:
         raise ValueError(f"relation is {relation!r}; use one of {', '.join(RELATIONS)}")
     try:
-        finished, step = bounded(lambda: Step(before, after, domains, relation, unknown, seed), 0.8)
+        lines = before, after, domains, relation, unknown, seed
+        finished, step = bounded(lambda: Step(*lines), 0.8, 2.5)
         if not finished:
             raise Unreadable("the line is too complicated to read")
     except Unreadable as error:
@@ -85,6 +88,7 @@ class Step:
     """Two lines that have been read, and what is asked about them."""
 
     def __init__(self, before, after, domains, relation, unknown, seed):
+        self.end = time.monotonic() + LONGEST
         texts = {str(n): str(t) for n, t in dict(domains).items()}
         self.domains = {n: make(n, t, tuple(texts)) for n, t in texts.items()}
         kinds = {n: d.kind for n, d in self.domains.items()}
@@ -121,7 +125,7 @@ class Step:
 
     def verdict(self):
         search = self.search
-        needed = bounded(lambda: conditions(search.lines, self.model), 0.8)[1] or ()
+        needed = bounded(lambda: conditions(search.lines, self.model), 0.8, 1.5)[1] or ()
         if self.settled_by_proof(search):
             return self.proof(search, needed)
         if search.refutes():
@@ -154,7 +158,8 @@ class Step:
 
     def proved(self):
         lines = self.before, self.after, self.relation
-        return bounded(lambda: proved(*lines, self.model), 3.5, 5)[1] is True
+        wall = max(1, self.end - time.monotonic())
+        return bounded(lambda: proved(*lines, self.model), 3.5, wall)[1] is True
 
     @staticmethod
     def proof(search, needed):

@@ -135,7 +135,7 @@ class Search:
         nested = any(x.function.has(sp.Integral) for w in self.lines for x in w.atoms(sp.Integral))
         nested = nested or any(len(x.limits) > 1 for w in self.lines for x in w.atoms(sp.Integral))
         self.budget, self.bits = Budget(500_000 if nested else 200_000), 14 if nested else 24
-        self.end = time.monotonic() + 6  # only a slow machine meets it before the budget
+        self.end = time.monotonic() + 5.5  # only a slow machine meets it before the budget
         self.points, self.enlarged, self.undefined = 0, 0, 0
         self.found = None
         self.suspect = False  # a difference was seen that a second look has not settled
