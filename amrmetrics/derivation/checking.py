@@ -76,7 +76,7 @@ def check_step(before, after, domains, relation="iff", unknown=None, seed=0):
         raise ValueError(f"relation is {relation!r}; use one of {', '.join(RELATIONS)}")
     try:
         lines = before, after, domains, relation, unknown, seed
-        finished, step = bounded(lambda: Step(*lines), 0.8, 2.5)
+        finished, step = bounded(lambda: Step(*lines), 0.8, 6)
         if not finished:
             raise Unreadable("the line is too complicated to read")
     except Unreadable as error:

@@ -89,9 +89,9 @@ class Point:
     of a sequence.
     """
 
-    def __init__(self, make, entry, prec, budget):
+    def __init__(self, make, entry, arithmetic, budget):
         self.make, self.entry, self.budget = make, entry, budget
-        self.arithmetic = Arithmetic(prec)
+        self.arithmetic = arithmetic
         self.known, self.bound = {}, {}
         self.values = make(self.arithmetic)
 
@@ -738,5 +738,5 @@ def magnitude(w, at):
 
 def magnitude_ok(w, limit=1e300):
     """Whether a number without symbols is of a size that one can work with."""
-    x = value(w, Point(lambda a: {}, None, 60, Budget(10**5)))
+    x = value(w, Point(lambda a: {}, None, Arithmetic(60), Budget(10**5)))
     return all(e == 0 or 1e-300 < abs(as_float(e)) <= limit for e in flat(x))

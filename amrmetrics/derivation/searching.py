@@ -10,7 +10,7 @@ import sympy as sp
 from mpmath import libmp
 from sympy.core.function import AppliedUndef
 
-from .arithmetic import Imprecise, Undefined, Unreliable, as_float, sign
+from .arithmetic import Arithmetic, Imprecise, Undefined, Unreliable, as_float, sign
 from .breaks import breaks, minus
 from .domains import ANGLES, LARGE, Index, NoRoom, Sized, exact, rational
 from .evaluating import (
@@ -141,7 +141,7 @@ class Search:
         self.suspect = False  # a difference was seen that a second look has not settled
         self.closest = []  # (relative margin, values) of an inequality
         self.places = set()
-        self.known = {}
+        self.known, self.arithmetics = {}, {}
 
     # ---- points ------------------------------------------------------------------------------
 
@@ -193,7 +193,9 @@ class Search:
                 n: number(v, a) for n, v in values.items() if n and not isinstance(v, Root | Solved)
             }
 
-        at = Point(make, entry, prec, self.budget)
+        if prec not in self.arithmetics:  # to make one takes as long as a short evaluation
+            self.arithmetics[prec] = Arithmetic(prec)
+        at = Point(make, entry, self.arithmetics[prec], self.budget)
         at.known = self.known.setdefault((prec, str(values)), {}) if self.rough else {}
         self.entries = entries
         for name, v in values.items():

@@ -25,7 +25,7 @@ import sympy as sp  # noqa: E402
 from amrmetrics.derivation import check_step, reading  # noqa: E402
 from amrmetrics.derivation.checking import Step  # noqa: E402
 
-CLAIM = re.compile(r"(Eq|Gt|Ge|Lt|Le|Or|And)\(")
+CLAIM = re.compile(r"(Eq|Gt|Ge|Lt|Le|Or|And)\(|.*(==|<|>)")
 CORPORA = ["public", "public_2", "own", "own_2", "own_3"]
 
 
