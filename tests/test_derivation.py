@@ -11,6 +11,7 @@ import pytest
 import sympy as sp
 
 from amrmetrics.derivation import Derivation, check_step
+from amrmetrics.derivation.checking import Step
 from amrmetrics.derivation.limits import bounded
 
 sys.path.insert(0, str(Path(__file__).parent / "derivations"))
@@ -263,6 +264,45 @@ ANY_SIZE |= {"P": "spd(n)", "L": "chol(n)", "R": "rot(n)", "u": "vec(n)", "v": "
 )
 def test_matrices_of_any_size(before, after, status):
     assert check_step(before, after, ANY_SIZE).status == status
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "status"),
+    [
+        ("tr(eye(n))", "n", "proved"),
+        ("tr(eye(m)-J*(J.T*J).inv()*J.T)", "tr(eye(m))-tr(J*(J.T*J).inv()*J.T)", "proved"),
+        ("tr(J*(J.T*J).inv()*J.T)", "tr((J.T*J).inv()*(J.T*J))", "proved"),
+        ("m-tr((J.T*J).inv()*(J.T*J))", "m-n", "proved"),
+        ("tr(J*(J.T*J).inv()*J.T)", "m", "refuted"),
+        ("J*(J.T*J).inv()*J.T", "eye(m)", "refuted"),
+        ("(J.T*J).inv()*J.T*J", "eye(n)", "proved"),
+        ("J*(J.T*J).inv()*J.T*J", "J", "proved"),
+        ("(J.T*J).inv().T", "(J.T*J).inv()", "proved"),
+        ("G*(J.T*J)", "eye(n)", "refuted"),
+    ],
+)
+def test_projections_onto_the_columns_of_a_matrix(before, after, status):
+    domains = {"m": "int>=1", "n": "int>=1", "J": "mat(m,n)", "G": "spd(n)"}
+    assert check_step(before, after, domains).status == status
+
+
+def test_a_product_that_is_not_square_is_inverted_as_a_whole():
+    """No word of it cancels, whatever the points say: J is no square matrix."""
+    domains = {"m": "int>=1", "n": "int>=1", "J": "mat(m,n)"}
+    step = Step("J*(J.T*J).inv()*J.T", "eye(m)", domains, "iff", None, 0)
+    assert not step.proved()
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("Limit(x+y,y,0)/Limit(2+y,y,0)", "x/2"),
+        ("x/Sum(k,(k,1,3))", "x/6"),
+        ("x/Integral(z,(z,0,2))", "x/2"),
+    ],
+)
+def test_numbers_with_bound_letters_may_be_divided_by(before, after):
+    assert check_step(before, after, REAL).status == "proved"
 
 
 @pytest.mark.parametrize("line", ["det(R)", "R.T*R", "(R*v).T*(R*v)"])

@@ -2,7 +2,8 @@
 
 A matrix is a sum of words with coefficients. A letter of a word is (name, transposed, inverted).
 What stands beside its own inverse cancels; a row times ... times a column is a number and moves to
-the front; a trace does not change when its word is turned around or transposed.
+the front; a trace does not change when its word is turned around or transposed. The inverse of a
+product whose factors are not square is a letter of its own: its name is the word that it inverts.
 """
 
 import sympy as sp
@@ -36,7 +37,20 @@ class _Algebra:
         self.model, self.names = model, {}
 
     def family(self, name):
+        if isinstance(name, tuple):
+            return "sym" if self.flipped(name, False) == name else "mat"
         return getattr(self.model.domains.get(name), "family", "mat")
+
+    def height(self, letter):
+        """Return the number of rows of a letter, or None if it is not known."""
+        name, transposed, inverted = letter
+        if isinstance(name, tuple):
+            return self.height(name[0])
+        kind = getattr(self.model.domains.get(name), "kind", None)
+        return kind and kind[transposed != inverted]
+
+    def square(self, word):
+        return all(self.height(x) == self.height(self.flipped((x,), False)[0]) for x in word)
 
     def number(self, *key, **facts):
         """Return the symbol of a number that is known by its word only."""
@@ -69,12 +83,26 @@ class _Algebra:
                 out.pop()
                 continue
             out.append(x)
+            if beside := self.undone(out):
+                del out[-beside:]
+                continue
             if self.family(x[0]) == "vec" and not x[1]:
                 row = [k for k, y in enumerate(out[:-1]) if self.family(y[0]) == "vec" and y[1]]
                 if row:
                     c *= self.trace(tuple(out[row[-1] :]), None)
                     del out[row[-1] :]
         return tuple(out), c
+
+    @staticmethod
+    def undone(out):
+        """Return how many letters at the end are a product beside its own inverse, or 0."""
+        last = len(out) - 1
+        for place, (name, *flags) in enumerate(out):
+            if isinstance(name, tuple) and flags == [False, False]:
+                before = tuple(out[max(place - len(name), 0) : place])
+                if tuple(out[place + 1 :]) == name or (place == last and before == name):
+                    return len(name) + 1
+        return 0
 
     def matrix(self, w):
         """Return the sum of words that `w` is: a dict from word to coefficient."""
@@ -112,6 +140,8 @@ class _Algebra:
             name = f"inverse of {sorted(map(str, m.items()))}"
             return {((name, False, False),): sp.Integer(1)}
         ((word, c),) = m.items()
+        if not self.square(word):
+            return {((word, False, False),): 1 / c}
         return {self.flipped(word, True): 1 / c}
 
     # ---- numbers -----------------------------------------------------------------------------
@@ -122,14 +152,15 @@ class _Algebra:
         def leaf(x):
             if isinstance(x, sp.Trace):
                 words = self.matrix(x.args[0]).items()
-                return sum(c * self.trace(u, x.args[0].shape[0]) for u, c in words)
+                size = sp.sympify(x.args[0].shape[0])
+                return sp.Add(*(c * self.trace(u, size) for u, c in words))
             if isinstance(x, sp.Determinant):
                 return self.determinant(x.args[0])
             if isinstance(x, MatrixElement):
                 if tuple(x.args[0].shape) != (1, 1):
                     raise NoForm
                 words = self.matrix(x.args[0]).items()
-                return sum(c * (self.trace(u, None) if u else 1) for u, c in words)
+                return sp.Add(*(c * (self.trace(u, None) if u else 1) for u, c in words))
             return None
 
         return self.model.evaluated(rebuild(w, leaf))
@@ -140,7 +171,12 @@ class _Algebra:
         if not word:
             return self.model.evaluated(size)
         turns = [w[k:] + w[:k] for w in (word, self.flipped(word, False)) for k in range(len(word))]
-        return self.number("trace", min(turns))
+        if all(self.family(name) != "vec" for name, *_ in word):
+            for turn in turns:
+                shorter, _ = self.reduced(turn, 1)
+                if len(shorter) < len(turn):
+                    return self.trace(shorter, self.height(turn[0]))
+        return self.number("trace", min(turns, key=repr))
 
     def determinant(self, w):
         m = self.matrix(w)

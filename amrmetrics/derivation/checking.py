@@ -114,7 +114,7 @@ class Step:
             self._same_shape()
         lines = self.before, self.after
         self.search = Search(*lines, self.domains, seed, relation, self.unknown)
-        self.model = Model(self.search.domains, self.search.sizes)
+        self.model = Model(self.search.domains, self.search.sizes, bool(self.search.sized))
 
     def _same_shape(self):
         a, b = (tuple(w.shape) if is_matrix(w) else (1, 1) for w in (self.before, self.after))

@@ -26,6 +26,7 @@ from .arithmetic import (
 from .reading import rebuild, renamed
 
 LONGEST_SUM = 400
+LARGEST_MATRIX = 6
 BENT = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Piecewise, AppliedUndef)
 A = Arithmetic
 FUNCTIONS = {
@@ -102,6 +103,7 @@ class Point:
 
     def bind(self, name, number, again=None):
         """Return the point with one more value; ``again(at)`` finds it in other precisions."""
+        name = key(name) if isinstance(name, sp.Symbol) else name
         bound = {**self.bound, name: again or (lambda at: number)}
         return self._copy(values={**self.values, name: number}, bound=bound)
 
@@ -537,7 +539,7 @@ def _moved(at, variable, step):
 
 def _subs(w, at):
     for name, place in zip(w.variables, w.point, strict=True):
-        at = at.bind(key(name), value(place, at), lambda at, place=place: value(place, at))
+        at = at.bind(name, value(place, at), lambda at, place=place: value(place, at))
     return value(w.args[0], at)
 
 
@@ -628,6 +630,8 @@ def inverse(x, a):
 
 
 def identity(n):
+    if n > LARGEST_MATRIX:
+        raise Unreliable("a large matrix")
     return [[Fraction(int(i == j)) for j in range(n)] for i in range(n)]
 
 

@@ -169,7 +169,7 @@ def difference_in_words(search):
     if all(x and y for x, y in pairs) and constant([y / x for x, y in pairs]):
         return _factor(pairs[0][1] / pairs[0][0])
     for n, d in search.domains.items():
-        for k in (-1, 1) if d.whole else ():
+        for k in (-1, 1) if d.whole and n not in search.sized else ():
             moved = rebuild(
                 search.after, lambda w, n=n, k=k: w + k if w.is_Symbol and w.name == n else None
             )

@@ -19,7 +19,6 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 
 from .algebra import same
 from .breaks import needs, nodes, show
-from .domains import Sized
 from .limits import bounded
 from .reading import is_inequality, is_matrix, renamed
 
@@ -30,10 +29,9 @@ ENDLESS = (sp.zoo, sp.nan, sp.oo, -sp.oo)
 class Model:
     """The declared names as SymPy symbols with assumptions; written forms evaluated over them."""
 
-    def __init__(self, domains, tops=()):
-        self.domains, self.tops = domains, tops
+    def __init__(self, domains, tops=(), sized=False):
+        self.domains, self.tops, self.sized = domains, tops, sized
         self.free = {s: e for d in domains.values() for s, e in d.free.items()}
-        self.sized = any(isinstance(d, Sized) for d in domains.values())
         self.circles = dict(d.circle for d in domains.values() if d.circle)
         self.known = {}
 

@@ -114,12 +114,9 @@ class Search:
         self.lines = [w for w in (before, after) if w is not None]
         used = set().union(*map(names_in, self.lines))
         self.domains, self.dependent = _in_order(domains, used)
-        self.sized = {
-            n.name
-            for d in self.domains.values()
-            if isinstance(d, Sized)
-            for n in set().union(*(k.free_symbols for k in d.kind))
-        }
+        shapes = [k for d in self.domains.values() if isinstance(d, Sized) for k in d.kind]
+        shapes += [k for w in self.lines for one in w.atoms(sp.Identity) for k in one.shape]
+        self.sized = {n.name for k in shapes for n in sp.sympify(k).free_symbols}
         self.everything = domains
         for f in set().union(*(w.atoms(AppliedUndef) for w in self.lines)):
             domains[f.func.__name__].arguments = len(f.args)
