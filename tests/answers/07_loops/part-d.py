@@ -1,0 +1,280 @@
+# %% wrong: least squares, then a gate
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    result = am.optimize(graph)
+    return np.flatnonzero((abs(i - j) > 1) & (result.edge_chi_square > 16.3)).tolist()
+
+
+# %% wrong: a gate on dead reckoning
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    return np.flatnonzero((abs(i - j) > 1) & (graph.summary().edge_chi_square > 16.3)).tolist()
+
+
+# %% wrong: a wide gate on dead reckoning
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    return np.flatnonzero((abs(i - j) > 1) & (graph.summary().edge_chi_square > 5000)).tolist()
+
+
+# %% wrong: Geman-McClure from dead reckoning
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    result = am.optimize(graph, "geman_mcclure", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square > 50)).tolist()
+
+
+# %% wrong: every edge that Huber weighs less
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    result = am.optimize(graph, "huber")
+    return np.flatnonzero((abs(i - j) > 1) & (result.weights < 1)).tolist()
+
+
+# %% wrong: the gate of 95 % after the kernels
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square > 7.81)).tolist()
+
+
+# %% wrong: all closures
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    return np.flatnonzero(abs(i - j) > 1).tolist()
+
+
+# %% wrong: none
+def false_closures(path):
+    return []
+
+
+# %% wrong: the right ones instead of the false ones
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square < 50)).tolist()
+
+
+# %% wrong: counted from 1
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return (1 + np.flatnonzero(closures & (result.edge_chi_square > 50))).tolist()
+
+
+# %% wrong: counted among the closures
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return np.flatnonzero(result.edge_chi_square[closures] > 50).tolist()
+
+
+# %% wrong: a mask
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return closures & (result.edge_chi_square > 50)
+
+
+# %% wrong: pairs of nodes
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return graph.edges[closures & (result.edge_chi_square > 50)].tolist()
+
+
+# %% wrong: the first edges of the file are taken for the odometry
+def false_closures(path):
+    graph = am.read_g2o(path)
+    closures = np.arange(len(graph.edges)) >= len(graph.poses) - 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square > 50)).tolist()
+
+
+# %% wrong: the eight worst
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    worst = np.argsort(np.where(closures, result.edge_chi_square, -1))[::-1]
+    return sorted(worst[:8].tolist())
+
+
+# %% wrong: the file that is in the folder, whatever is asked
+def false_closures(path):
+    graph = am.read_g2o("graph.g2o")
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square > 50)).tolist()
+
+
+# %% wrong: the numbers, typed in
+graph = am.read_g2o("graph.g2o")
+i, j = graph.edges.T
+closures = abs(i - j) > 1
+start = am.optimize(graph, "cauchy", robust=closures).graph
+result = am.optimize(start, "geman_mcclure", robust=closures)
+false_closures = np.flatnonzero(closures & (result.edge_chi_square > 50)).tolist()
+
+# %% wrong: residuals are gated without the information
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    e = result.graph.residuals()
+    return np.flatnonzero(closures & (np.linalg.norm(e, axis=1) > 0.05)).tolist()
+
+
+# %% wrong: one closure is removed, the worst
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    result = am.optimize(graph)
+    if result.p_value > 0.05 or not (abs(i - j) > 1).any():
+        return []
+    return [int(np.argmax(np.where(abs(i - j) > 1, result.edge_chi_square, -1)))]
+
+
+# %% wrong: chi-square of the total instead of the edges
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    result = am.optimize(graph)
+    return [] if result.p_value > 0.05 else np.flatnonzero(abs(i - j) > 1).tolist()
+
+
+# %% wrong: odometry is gated, too, at one standard deviation
+def false_closures(path):
+    graph = am.read_g2o(path)
+    start = am.optimize(graph, "cauchy").graph
+    result = am.optimize(start, "geman_mcclure")
+    return np.flatnonzero(result.edge_chi_square > 1).tolist()
+
+
+# %% wrong: stops where there is nothing to find
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    chi_square = result.edge_chi_square
+    worst = np.flatnonzero(closures)[np.argmax(chi_square[closures])]
+    return sorted({int(worst), *np.flatnonzero(closures & (chi_square > 50)).tolist()})
+
+
+# %% wrong: None where there is nothing to find
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square > 50)).tolist() or None
+
+
+# %% wrong: what np.where returns
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return np.where(closures & (result.edge_chi_square > 50))
+
+
+# %% right: Huber first, then Geman-McClure, then weights
+def false_closures(path):
+    graph = am.read_g2o(path)
+    closures = np.abs(graph.edges[:, 0] - graph.edges[:, 1]) != 1
+    if not closures.any():
+        return []
+    start = am.optimize(graph, "huber", robust=closures)
+    result = am.optimize(start.graph, "geman_mcclure", robust=closures)
+    return [k for k in range(len(graph.edges)) if closures[k] and result.weights[k] < 0.1]
+
+
+# %% right: the worst closure out, again and again; an array
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    kept = np.arange(len(graph.edges))
+    closures = abs(i - j) > 1
+    while True:
+        result = am.optimize(graph.keep(kept))
+        values = np.where(closures[kept], result.edge_chi_square, 0)
+        if values.max() < 30:
+            return np.setdiff1d(np.arange(len(graph.edges)), kept)
+        kept = np.delete(kept, values.argmax())
+
+
+# %% right: Cauchy alone, a wide gate, a set
+def false_closures(path):
+    graph = am.read_g2o(path)
+    result = am.optimize(graph, "cauchy")
+    apart = np.ptp(graph.edges, axis=1)
+    return {int(k) for k in np.flatnonzero(result.edge_chi_square > 100) if apart[k] > 1}
+
+
+# %% right: one closure after the other, short loops first; a tuple
+def false_closures(path):
+    graph = am.read_g2o(path)
+    apart = abs(graph.edges[:, 0] - graph.edges[:, 1])
+    kept, false = np.flatnonzero(apart == 1).tolist(), []
+    fit = am.optimize(graph.keep(kept))
+    for k in np.argsort(apart, kind="stable"):
+        if apart[k] == 1:
+            continue
+        new = am.optimize(graph.keep([*kept, k]))
+        if new.chi_square - fit.chi_square < 30:
+            kept, fit = [*kept, k], new
+        else:
+            false.append(k)
+    return tuple(sorted(false))
+
+
+# %% right: a kernel that narrows, then the gate of 99.9 %
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    result = am.optimize(graph, "cauchy", robust=closures)
+    for width in (100, 30, 10, 3):
+        result = am.optimize(result.graph, "geman_mcclure", width=width, robust=closures)
+    inliers = am.inlier_ratio(result.graph.residuals(), graph.information, 0.999).inliers
+    rest = am.optimize(graph.keep(inliers | ~closures))
+    final = graph.with_poses(rest.poses).summary().edge_chi_square
+    return np.flatnonzero(closures & (final > 16.27)).astype(float)
