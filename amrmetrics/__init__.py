@@ -15,9 +15,11 @@ __version__ = "0.1.0"
 
 __getattr__, __dir__, __all__ = _lazy.attach(
     __name__,
-    submodules=["check", "derivation", "plotting", "simulation"],
+    submodules=["check", "comparison", "derivation", "plotting", "simulation"],
     submod_attrs={
+        "aggregation": ["Aggregate", "aggregate"],
         "alignment": ["Alignment", "align"],
+        "comparison": ["Comparison", "compare_paired", "holm"],
         "consistency": [
             "ConsistencyTest",
             "consistency_power",
@@ -69,6 +71,24 @@ __getattr__, __dir__, __all__ = _lazy.attach(
             "spatial_poses",
             "wrap",
             "yaw",
+        ],
+        "resampling": ["compare_bootstrap", "compare_sign_flip"],
+        "resources": [
+            "Energy",
+            "Measurement",
+            "ResourceUse",
+            "energy",
+            "measure",
+            "resource_use",
+        ],
+        "runtime": [
+            "Latency",
+            "Percentile",
+            "RelocalizationTime",
+            "frames_needed",
+            "latency",
+            "percentile",
+            "relocalization_time",
         ],
         "scoring": ["Murphy", "Score", "brier", "cross_entropy", "murphy"],
         "stamps": ["associate", "clock_offset", "interpolate"],

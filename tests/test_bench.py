@@ -6,6 +6,7 @@ import bench
 def test_runs_and_says_what_it_measured(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(bench, "ENOUGH", 0)
     monkeypatch.setattr(bench, "GRAPHS", (800, 1_600))
+    monkeypatch.setattr(bench, "SCALE", 1000)
     assert bench.main(["100", "100"], tmp_path / "new" / "bench.png") == 0
     said = capsys.readouterr().out
     for row in (
@@ -18,6 +19,8 @@ def test_runs_and_says_what_it_measured(tmp_path, capsys, monkeypatch):
     ):
         assert said.count(row) == 1
     assert said.count("Manhattan world  ") == 2
+    for row in ("microseconds a frame", "latency, correlated", "compare_bootstrap, 1e4"):
+        assert said.count(row) == 1
     assert "from 800 to 1600 edges, time per iteration grows like" in said
     assert (tmp_path / "new" / "bench.png").read_bytes().startswith(b"\x89PNG")
 
