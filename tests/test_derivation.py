@@ -289,8 +289,9 @@ def test_projections_onto_the_columns_of_a_matrix(before, after, status):
 def test_a_product_that_is_not_square_is_inverted_as_a_whole():
     """No word of it cancels, whatever the points say: J is no square matrix."""
     domains = {"m": "int>=1", "n": "int>=1", "J": "mat(m,n)"}
-    step = Step("J*(J.T*J).inv()*J.T", "eye(m)", domains, "iff", None, 0)
-    assert not step.proved()
+    for pair in (("J*(J.T*J).inv()*J.T", "eye(m)"), ("det(J.T*J)", "det(J*J.T)")):
+        assert not Step(*pair, domains, "iff", None, 0).proved()
+    assert Step("det(J.T*J)", "det(J.T*J)", domains, "iff", None, 0).proved()
 
 
 @pytest.mark.parametrize(
@@ -354,6 +355,8 @@ def test_equations(before, after, relation, status):
         ("And(Eq(cos(x),cos(y)),Eq(sin(x),sin(y)))", "Eq(x,y)", "angle", "sampled"),
         ("Eq(cos(x),0)", "Or(Eq(x,pi/2),Eq(x,-pi/2))", "angle", "sampled"),
         ("Eq(cos(x),0)", "Eq(x,pi/2)", "angle", "refuted"),
+        # A line that is not defined where the other one holds, at no turn of the angle either.
+        ("Eq(sin(x)*y,sin(x))", "Eq(y,sin(x)/sin(x))", "angle", "refuted"),
     ],
 )
 @pytest.mark.parametrize("unknown", [None, "x"])
@@ -363,10 +366,21 @@ def test_equations_with_many_solutions(before, after, kind, status, unknown):
 
 
 def test_one_point_alone_is_no_sample():
-    inner = "Integral(exp(-x-y)/(1+x*y),(x,0,oo))"
-    verdict = check_step("", f"Integral({inner},(y,0,oo))*a > a/100", {"a": ">0"})
-    assert verdict.status in ("sampled", "undecided")
-    assert verdict.points > 1 or verdict.status == "undecided"
+    inner = "Integral(a*b*exp(-a*x-b*y),(y,x,oo))"
+    domains = {"a": "(1/2,3)", "b": "(1/2,3)"}
+    verdict = check_step(f"Integral({inner},(x,0,oo))", "b/(a+b)", domains)
+    assert verdict.points == 1 and verdict.status == "undecided"
+
+
+def test_no_proof_without_its_conditions(monkeypatch):
+    def endless(*_):
+        while True:
+            abs(1)
+
+    step = "x*y/x", "y", REAL
+    assert check_step(*step).status == "proved"
+    monkeypatch.setattr("amrmetrics.derivation.checking.conditions", endless)
+    assert check_step(*step).status == "sampled"
 
 
 def test_a_vector_can_be_the_unknown():

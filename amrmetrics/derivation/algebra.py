@@ -180,7 +180,7 @@ class _Algebra:
 
     def determinant(self, w):
         m = self.matrix(w)
-        if len(m) != 1:
+        if len(m) != 1 or not self.square(next(iter(m))):
             return self.number("det", tuple(sorted(m.items(), key=str)))
         ((word, c),) = m.items()
         result = c ** self.model.evaluated(sp.sympify(w.shape[0]))

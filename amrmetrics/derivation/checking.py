@@ -89,6 +89,7 @@ class Step:
 
     def __init__(self, before, after, domains, relation, unknown, seed):
         self.end = time.monotonic() + LONGEST
+        self.said = True  # whether all conditions could be worked out
         texts = {str(n): str(t) for n, t in dict(domains).items()}
         self.domains = {n: make(n, t, tuple(texts)) for n, t in texts.items()}
         kinds = {n: d.kind for n, d in self.domains.items()}
@@ -125,7 +126,8 @@ class Step:
 
     def verdict(self):
         search = self.search
-        needed = bounded(lambda: conditions(search.lines, self.model), 0.8, 1.5)[1] or ()
+        self.said, needed = bounded(lambda: conditions(search.lines, self.model), 0.8, 3)
+        needed = needed or ()
         if self.settled_by_proof(search):
             return self.proof(search, needed)
         if search.refutes():
@@ -148,7 +150,7 @@ class Step:
         text = "undecided: no point was found where both lines have a value"
         if search.points:
             text = "undecided: it agrees at the only point that could be evaluated in time"
-        return Verdict("undecided", text, conditions=needed)
+        return Verdict("undecided", text, **facts)
 
     def settled_by_proof(self, search):
         """Whether a proof saves the many quadratures that a full search would take."""
@@ -157,6 +159,8 @@ class Step:
         return (search.points > 0 or self.before is None) and self.proved()
 
     def proved(self):
+        if not self.said:  # a proof without its conditions is none
+            return False
         lines = self.before, self.after, self.relation
         wall = max(1, self.end - time.monotonic())
         return bounded(lambda: proved(*lines, self.model), 3.5, wall)[1] is True

@@ -577,7 +577,10 @@ def _turned(w, name, at):
     a = at.arithmetic
     turn = a.multiply([Fraction(2), a.pi()])
     numbers = [e for e in atoms_of(w) if not is_matrix(e.lhs)]
-    apart = [a.subtract(*(value(x, at) for x in e.args)) for e in numbers]
+    try:
+        apart = [a.subtract(*(value(x, at) for x in e.args)) for e in numbers]
+    except Undefined:  # a claim about something undefined is false at every turn
+        return
     turns = [s * round(as_float(d) / as_float(turn)) for d in apart for s in (1, -1)]
     for k in dict.fromkeys((*turns, -1, 1, -2, 2)):
         yield at.bind(name, a.add([at.values[name], a.multiply([Fraction(k), turn])]))

@@ -283,7 +283,9 @@ class Declaration:
             relation = relation.get(type(parts[0]))
             parts = parts[0].args if relation else parts * 2
         sure = {*chain.status} <= {"proved", "by lemma"}
-        needs = [ast.unparse(put.visit(parse(c))) for c in chain.conditions]
+        needs = chain.conditions
+        if put.values:
+            needs = [ast.unparse(put.visit(parse(c))) for c in needs]
         return Lemma(name, relation, *parts, sure, tuple(needs))
 
     def _put(self, put, chain, line):
