@@ -20,12 +20,12 @@ BLOCK = 8192
 
 def as_numbers(value, name):
     """Return `value` as an array of finite doubles."""
-    array = _as_reals(value, name)
+    array = as_reals(value, name)
     _refuse_not_finite(array, name)
     return array
 
 
-def _as_reals(value, name):
+def as_reals(value, name):
     array = as_array(value, name)
     if array.dtype.kind not in "fiu":
         # Strings and complex numbers convert to float in ways nobody means.
@@ -46,7 +46,7 @@ def _refuse_not_finite(array, name):
 
 def as_rows(value, name, widths, meaning):
     """Return `value` as an (N, w) array with N >= 1 and w one of `widths`."""
-    array = _in_rows(_as_reals(value, name), name, widths, meaning)
+    array = _in_rows(as_reals(value, name), name, widths, meaning)
     _refuse_not_finite(array, name)
     return array
 
@@ -65,7 +65,7 @@ def as_poses(value, name, batch=False):
 
     With `batch`, any number of leading axes is allowed, none included.
     """
-    array = _as_reals(value, name)
+    array = as_reals(value, name)
     square = array.ndim >= 2 and array.shape[-2:] in ((3, 3), (4, 4))
     if not square or (array.ndim != 3 and not batch):
         raise AmrError(
@@ -167,7 +167,7 @@ def _paired(p, q):
 
 def as_positions(value, name):
     """Return (N, d) positions from positions or from poses (N, d+1, d+1)."""
-    array = _as_reals(value, name)
+    array = as_reals(value, name)
     if array.ndim == 3:
         if array.shape[1:] not in ((3, 3), (4, 4)):
             as_poses(array, name)  # says what is wrong
@@ -193,7 +193,7 @@ def _size(array):
 
 def as_stamps(value, name):
     """Return `value` as an (N,) array of strictly increasing seconds, N >= 1."""
-    array = _as_reals(value, name)
+    array = as_reals(value, name)
     if array.ndim != 1:
         raise AmrError(f"{name} has shape {array.shape}; time stamps need shape (N,).")
     _with_samples(array, name)
@@ -284,28 +284,29 @@ def as_forecasts(occupied, probability, unknown=None, weights=None):
 
 def as_cells(value, name, unknown):
     """Return finite doubles, one per cell; what stands in unknown cells, often nan, becomes 0."""
-    array = _as_reals(value, name)
+    array = as_reals(value, name)
     if unknown is not None and np.shape(unknown) == array.shape:
         array = np.where(as_labels(unknown, "unknown"), 0.0, array)
     _refuse_not_finite(array, name)
     return array
 
 
-def as_labels(value, name):
-    """Return `value` as an array of booleans; only 0, 1, False and True are labels."""
+def as_binary(value, name, meaning):
+    """Return `value` as an array of booleans; only 0, 1, False and True are taken."""
     array = as_array(value, name)
     if array.dtype == bool:
-        labels = array
-    else:
-        numbers = as_numbers(array, name)
-        wrong = (numbers != 0) & (numbers != 1)
-        if wrong.any():
-            raise AmrError(
-                f"{name}{_first(wrong)} is {numbers[wrong][0]:.6g}; labels are 0 (free) or 1 "
-                "(occupied). Mark unknown cells by `unknown`."
-            )
-        labels = numbers == 1
-    return _with_samples(labels, name)
+        return array
+    numbers = as_numbers(array, name)
+    wrong = (numbers != 0) & (numbers != 1)
+    if wrong.any():
+        raise AmrError(f"{name}{_first(wrong)} is {numbers[wrong][0]:.6g}; labels are {meaning}.")
+    return numbers == 1
+
+
+def as_labels(value, name):
+    """Return labels of cells as an array of booleans, at least one."""
+    meaning = "0 (free) or 1 (occupied). Mark unknown cells by `unknown`"
+    return _with_samples(as_binary(value, name, meaning), name)
 
 
 def known_cells(labels, p, unknown, weights):

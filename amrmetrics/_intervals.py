@@ -81,17 +81,27 @@ def effective_number(marked):
     if hypergeom.cdf(groups, n, n - k + 1, k) > FALSE_ALARM:
         return n
     rho = autocorrelation(marked.astype(float))[1 : n // 2]
+    return max(1.0, n / inflation(rho))
+
+
+def inflation(rho):
+    """Return 1 + 2 sum rho_k, summed while the correlations at the lags 1, 2, ... are positive.
+
+    By so much correlation in time inflates the variance of a mean.
+    """
     ends = np.flatnonzero(rho <= 0)
-    total = rho[: ends[0]].sum() if len(ends) else rho.sum()
-    return max(1.0, n / (1 + 2 * float(total)))
+    return 1 + 2 * float(rho[: ends[0] if len(ends) else None].sum())
 
 
 def autocorrelation(x):
-    """Return the correlation of x with itself, 0 to n - 1 values later."""
+    """Return the correlation with itself, 0 to n - 1 values later, of one run or of several.
+
+    Several runs (runs, n) have one mean and one variance.
+    """
     from scipy.fft import irfft, next_fast_len, rfft
 
-    n = len(x)
+    n = x.shape[-1]
     size = next_fast_len(2 * n, real=True)
-    spectrum = rfft(x - x.mean(), size)
-    products = irfft(spectrum.real**2 + spectrum.imag**2, size)[:n]
+    spectrum = np.atleast_2d(rfft(x - x.mean(), size))
+    products = irfft((spectrum.real**2 + spectrum.imag**2).sum(0), size)[:n]
     return products / np.arange(n, 0, -1) * (n / products[0])

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from amrmetrics._arguments import _as_reals, as_size
+from amrmetrics._arguments import as_reals, as_size
 from amrmetrics.errors import AmrError
 
 # Differences that agree to this many units in the last place are equal but for rounding.
@@ -58,7 +58,7 @@ def as_runs(value, name, unit=None):
                 units = ", ".join(sorted(found | ({unit} - {None})))
                 raise AmrError(f"{name} holds values of the units {units}; compare one unit only.")
             unit, value = found.pop(), [float(x) for x in items]
-    runs = _as_reals(value, name)
+    runs = as_reals(value, name)
     if runs.ndim != 1 or not len(runs):
         raise AmrError(f"{name} has shape {runs.shape}; expected (N,), one number per run, N >= 1.")
     if np.isinf(runs).any():

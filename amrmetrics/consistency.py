@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from amrmetrics import _intervals
 from amrmetrics._arguments import as_count, as_numbers, as_pose_pair, as_probability
 from amrmetrics.errors import AmrError
 
@@ -477,20 +478,14 @@ def _whitened(P, Sigma, bias):
 def _inflation(values):
     """Return by how much correlation in time inflates the variance of the mean, >= 1.
 
-    It is 1 + 2 sum rho_k, summed while the correlations are positive; 1 if the first is
-    within what independent values show.
+    It is 1 if the first correlation is within what independent values show.
     """
-    runs, steps = values.shape
+    steps = values.shape[1]
     if steps < 10:
         return 1.0
-    centered = values - values.mean()
-    variance = np.vdot(centered, centered) / values.size
-    if variance <= 1e-20 * values.mean() ** 2:  # all equal, up to rounding
+    if values.var() <= 1e-20 * values.mean() ** 2:  # all equal, up to rounding
         return 1.0
-    total = 0.0
-    for lag in range(1, steps // 2):
-        rho = np.vdot(centered[:, lag:], centered[:, :-lag]) / (runs * (steps - lag) * variance)
-        if rho <= (CORRELATED / np.sqrt(values.size) if lag == 1 else 0):
-            break
-        total += rho
-    return 1 + 2 * total
+    rho = _intervals.autocorrelation(values)[1 : steps // 2]
+    if rho[0] <= CORRELATED / np.sqrt(values.size):
+        return 1.0
+    return _intervals.inflation(rho)

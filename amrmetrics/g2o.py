@@ -13,7 +13,7 @@ import numpy as np
 from amrmetrics import _groups
 from amrmetrics._arguments import LARGEST
 from amrmetrics.errors import AmrError, RecordingWarning
-from amrmetrics.loops import _not_positive_definite
+from amrmetrics.loops import not_positive_definite
 from amrmetrics.pose_graph import PoseGraph
 from amrmetrics.poses import UNIT_QUATERNION_WITHIN, planar_poses, spatial_poses
 
@@ -372,7 +372,7 @@ class _Rows:
         rows, columns = np.triu_indices(n)
         W = np.empty((len(triangles), n, n))
         W[:, rows, columns] = W[:, columns, rows] = triangles
-        bad = _not_positive_definite(W)
+        bad = not_positive_definite(W)
         if bad.any():
             k = int(np.argmax(bad))
             raise self.error(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from amrmetrics._arguments import as_array, as_count, as_numbers, as_probability, as_size
+from amrmetrics._arguments import as_binary, as_count, as_numbers, as_probability, as_size
 from amrmetrics._results import Result
 from amrmetrics.errors import AmrError
 
@@ -211,16 +211,8 @@ def _undefined(true, false):
 
 
 def _as_labels(value, shape):
-    labels = as_array(value, "labels")
-    if labels.dtype != bool:
-        numbers = as_numbers(labels, "labels")
-        wrong = (numbers != 0) & (numbers != 1)
-        if wrong.any():
-            raise AmrError(
-                f"labels{np.argwhere(wrong)[0].tolist()} is {numbers[wrong][0]:.6g}; expected 1 "
-                "for a candidate that closes a loop, 0 for one that does not."
-            )
-        labels = numbers == 1
+    meaning = "1 for a candidate that closes a loop, 0 for one that does not"
+    labels = as_binary(value, "labels", meaning)
     if labels.ndim != 1 or labels.shape != shape:
         raise AmrError(
             f"labels has shape {labels.shape} and scores {shape}; expected one label and one "
@@ -462,7 +454,7 @@ def as_information(value, edges, dim):
             "(W + W.T) / 2."
         )
     W = (W + transposed) / 2
-    bad = _not_positive_definite(W)
+    bad = not_positive_definite(W)
     if bad.any():
         raise AmrError(
             f"information{_at(bad)} is not positive definite: some direction has no or negative "
@@ -471,7 +463,7 @@ def as_information(value, edges, dim):
     return np.array(np.broadcast_to(W, (edges, dim, dim)))
 
 
-def _not_positive_definite(W):
+def not_positive_definite(W):
     """Say for each matrix if it lacks a Cholesky factor, or has one by rounding only."""
     # The unit of each component is taken out, so that only the correlation is judged.
     scale = np.sqrt(np.maximum(np.diagonal(W, axis1=-2, axis2=-1), 1e-300))

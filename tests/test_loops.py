@@ -288,7 +288,10 @@ class TestCity:
 
 RNG = np.random.default_rng(1)
 REFUSED = {
-    "label": (lambda: am.precision_recall([1, 2], [0, 1]), r"labels\[1\] is 2; expected 1"),
+    "label": (
+        lambda: am.precision_recall([1, 2], [0, 1]),
+        r"labels\[1\] is 2; labels are 1 for a candidate",
+    ),
     "nan label": (lambda: am.precision_recall([1, np.nan], [0, 1]), r"labels\[1\] is nan"),
     "score": (lambda: am.precision_recall([1, 0], [0, np.nan]), r"scores\[1\] is nan"),
     "infinite score": (lambda: am.precision_recall([1, 0], [np.inf, 0]), r"scores\[0\] is inf"),
