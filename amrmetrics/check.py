@@ -7,6 +7,7 @@ the result is one that a known mistake produces, names the mistake.
 
 import contextlib
 import copy
+import itertools
 import re
 import sys
 
@@ -129,7 +130,7 @@ def function(yours, cases, expected, mistakes=None, rtol=1e-9, without=()):
             raise NotYet(f"{name} changes its input for {case}. Work on a copy.")
 
 
-def test_function(yours, right, wrong):
+def test_function(yours, right, wrong, without=()):
     """Check a test that the student designed: right code must pass it, wrong code must not.
 
     Parameters
@@ -138,6 +139,9 @@ def test_function(yours, right, wrong):
         Takes an implementation and raises an ``AssertionError`` if it is wrong.
     right, wrong : dict of str to callable
         Implementations by what they do.
+    without : tuple of callable
+        Library functions that would settle it, which the test must not call. The
+        implementations may.
 
     Raises
     ------
@@ -153,9 +157,9 @@ def test_function(yours, right, wrong):
     """
     if not callable(yours):
         raise NotYet(f"a function is asked, you have {_show(yours)}.")
-    _require_acceptance(yours, right)
+    _require_acceptance(yours, right, without)
     for what, implementation in wrong.items():
-        result, error = _call(yours, (implementation,))
+        result, error, _ = _judgment(yours, implementation, without)
         if error is None:
             hint = "" if result is None else f" It returns {_show(result)}; use assert instead."
             raise NotYet(f"your test accepts an implementation that {what}.{hint}")
@@ -164,25 +168,44 @@ def test_function(yours, right, wrong):
                 f"your test breaks with {_describe(error)} on an implementation that {what}. "
                 "It should end with a failed assertion."
             )
-    _require_acceptance(yours, right)  # once more: some tests only count how often they ran
+    # Once more: some tests only count how often they ran.
+    _require_acceptance(yours, right, without)
 
 
-def _require_acceptance(yours, right):
+def _require_acceptance(yours, right, without):
     for what, implementation in right.items():
-        calls = []
-
-        def counted(*arguments, implementation=implementation, calls=calls, **options):
-            calls.append(1)
-            return implementation(*arguments, **options)
-
-        _, error = _call(yours, (counted,))
+        _, error, called = _judgment(yours, implementation, without)
         if error is not None:
             failed = isinstance(error, AssertionError)
             how = "rejects" if failed else f"breaks with {_describe(error)} on"
             why = f": {error}" if failed and str(error) else ""
             raise NotYet(f"your test {how} an implementation that is right ({what}){why}.")
-        if not calls:
+        if not called:
             raise NotYet("there is no answer yet: your test never calls what it is to test.")
+
+
+def _judgment(yours, implementation, without):
+    """Return what a student's test returns and raises, and whether it called what it tests.
+
+    Right and wrong implementations come in the same wrapping, so that no test can tell them by it.
+    """
+    called = False
+    running = []
+
+    def tested(*arguments, **options):
+        nonlocal called
+        called = True
+        running.append(True)
+        try:
+            return implementation(*arguments, **options)
+        finally:
+            running.pop()
+
+    with _unavailable(without, yours, running):
+        result, error = _call(yours, (tested,))
+    if isinstance(error, NotYet):
+        raise error
+    return result, error, called
 
 
 test_function.__test__ = False  # for pytest, which takes every test_* for a test
@@ -199,8 +222,9 @@ def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()
         The student's formula.
     expected : str
         A formula that it must equal on the whole domain, in a form that does not show it.
-    domains : dict of str to str
-        What each symbol stands for, as in :func:`amrmetrics.derivation.check_step`.
+    domains : dict of str to str, or amrmetrics.derivation.written.Declaration
+        What each symbol stands for, as in :func:`amrmetrics.derivation.check_step`; or what
+        `declare` returned, whose abbreviations the student may use.
     into : str
         Where the answer is put before it is compared: ``{}`` stands for it.
     mistakes : dict of str to str, optional
@@ -221,11 +245,13 @@ def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()
     from amrmetrics.derivation import check_step
 
     yours = _as_text(name, yours)
+    yours = getattr(domains, "expand", str)(yours)
+    known, domains = _names_of(domains), getattr(domains, "domains", domains)
     if re.search(r"(?<![=<>!])=(?!=)|^\s*Eq\(", yours):
         raise NotYet(f"{name}: enter the right side alone, without an equals sign and a left side.")
     alone = check_step(yours, yours, domains)
     if alone.status == "unreadable":
-        raise NotYet(f"{name} is {_with_names(alone.message, domains)}")
+        raise NotYet(f"{name} is {_with_names(alone.message, known)}")
     for operator in without:
         if operator in yours:
             raise NotYet(f"{name}: {operator} still stands in your formula. Carry it out.")
@@ -246,7 +272,9 @@ def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()
     )
 
 
-def derivation(lines, goal, *, given, domains=None, declared=None, at_least=1, **rules):
+def derivation(
+    lines, goal, *, given, domains=None, declared=None, at_least=1, shows=None, name="", **rules
+):
     """Check a derivation that was entered line by line.
 
     Parameters
@@ -262,6 +290,11 @@ def derivation(lines, goal, *, given, domains=None, declared=None, at_least=1, *
         What `declare` returned, instead of `domains`.
     at_least : int
         How many lines with a form of their own the derivation takes if each makes one move.
+    shows : dict of str to callable, optional
+        What some line has to show, by what a student reads if none does. Each is called with
+        the line before and the line, SymPy objects in which nothing is computed.
+    name : str
+        What the derivation is called; it stands before whatever is said.
     **rules
         Further arguments of Derivation, such as ``must_pass``. A notebook that shows a
         required form shows a line of the answer; `at_least` does not.
@@ -287,19 +320,33 @@ def derivation(lines, goal, *, given, domains=None, declared=None, at_least=1, *
     """
     from amrmetrics.derivation import Derivation
 
-    _require_answer("the derivation", lines)
-    lines = _lines_of(lines)
     names = domains if declared is None else declared
-    chain = Derivation(goal, given=given, domains=names, **rules).check(lines)
+    try:
+        _require_answer("the derivation", lines)
+        chain = Derivation(goal, given=given, domains=names, **rules).check(_lines_of(lines))
+        _require_derived(chain, names, at_least, shows or {})
+    except NotYet as error:
+        raise NotYet(f"{name}: {error}" if name else str(error)) from None
+    return chain
+
+
+def _require_derived(chain, names, at_least, shows):
+    """Raise unless a chain is complete, takes its steps one by one and shows what it should."""
+    asked = chain.asked
+    if asked in ("<", ">") and asked not in [step.relation for step in chain.steps]:
+        raise NotYet(f"lines begin with = or {asked}, and none of yours with {asked}.")
     if not chain.complete:
         first = chain.problems[0]  # what follows it is often its consequence
-        raise NotYet(_with_names(first, getattr(names, "names", names)))
+        raise NotYet(_with_names(first, _names_of(names)))
     if chain.moves < at_least:
         raise NotYet(
             f"every line follows, but you leap: {chain.moves} of at least {at_least} lines bring "
             "something new. Make one move a line."
         )
-    return chain
+    pairs = list(itertools.pairwise(chain.read_lines))
+    for missing, shown in shows.items():
+        if not any(shown(before, line) for before, line in pairs):
+            raise NotYet(f"every line follows, but {missing}.")
 
 
 def _lines_of(lines):
@@ -375,12 +422,17 @@ def wrong_line(number, corrected, lines, domains):
         )
 
 
-def _with_names(message, domains):
+def _names_of(declared):
+    """Return the names of a dict of domains, or of what `declare` returned."""
+    return getattr(declared, "names", declared)
+
+
+def _with_names(message, names):
     """Tell a student, who cannot declare a name, which names there are."""
     if "is not declared" not in message:
         return message
     message = message.replace("; declare it in the domains", ".")
-    return f"{message} This part knows the names {', '.join(domains)} only."
+    return f"{message} This part knows the names {', '.join(names)} only."
 
 
 def _call(function, arguments):
@@ -392,8 +444,11 @@ def _call(function, arguments):
 
 
 @contextlib.contextmanager
-def _unavailable(forbidden, yours):
-    """Let `forbidden` functions refuse every call that `yours` makes, by whatever name."""
+def _unavailable(forbidden, yours, running=()):
+    """Let `forbidden` functions refuse every call that `yours` makes, by whatever name.
+
+    While `running` is not empty, code that is not the student's runs, and may call them.
+    """
     holders = [vars(m) for name, m in sys.modules.items() if name.split(".")[0] == "amrmetrics"]
     holders.append(getattr(yours, "__globals__", {}))
     places = [
@@ -404,16 +459,18 @@ def _unavailable(forbidden, yours):
     ]
     try:
         for names, name, original in places:
-            names[name] = _refusing(original.__name__)
+            names[name] = _refusing(original, running)
         yield
     finally:
         for names, name, original in places:
             names[name] = original
 
 
-def _refusing(name):
-    def refuse(*_arguments, **_options):
-        raise NotYet(f"the library's {name} does what you are asked to write; do without it.")
+def _refusing(original, running):
+    def refuse(*arguments, **options):
+        if running:
+            return original(*arguments, **options)
+        raise NotYet(f"the library's {original.__name__} would do your work here; do without it.")
 
     return refuse
 
@@ -433,6 +490,8 @@ def _as_text(name, yours):
     if not isinstance(yours, str) and hasattr(yours, "free_symbols"):
         return str(yours)
     _require_kind(name, yours, "text")
+    if not yours.strip(" .\n"):
+        _require_answer(name, ...)
     return yours
 
 

@@ -177,7 +177,7 @@ class TestFunction:
         exec(f"def theirs(p, q):\n    return {name}(p, q).angle", student)
         check.function(student["theirs"], cases, answer)
         text = message(check.function, student["theirs"], cases, answer, without=(original,))
-        assert "the library's align does what you are asked to write" in text
+        assert "the library's align would do your work here" in text
         assert am.align is am.alignment.align is student["align"] is original
         check.function(answer, cases, answer)
 
@@ -215,6 +215,18 @@ class TestFormula:
             without=("Derivative",),
         )
         assert says in text
+
+    def test_may_use_what_is_declared(self):
+        letters = declare("x y > 0\n area := x*y")
+        check.formula("twice", "2*area", "2*x*y", letters)
+        check.formula("twice", "\n 2*area ", "2*x*y", letters)
+        text = message(check.formula, "twice", "area + z", "2*x*y", letters)
+        assert "z is not declared. This part knows the names x, y, area only." in text
+
+    @pytest.mark.parametrize("dots", ["...", "  ", "\n ... \n"])
+    def test_dots_in_a_text_are_no_answer(self, dots):
+        text = message(check.formula, "slope", dots, "2*x", self.DOMAINS)
+        assert text == "slope: there is no answer yet. Replace the dots."
 
     def test_judges_an_angle_by_what_it_leads_to(self):
         into = "C*cos({0}) + S*sin({0})"
@@ -347,6 +359,31 @@ class TestTestFunction:
         text = message(check.test_function, counting, self.RIGHT, self.WRONG)
         assert "rejects an implementation that is right" in text
 
+    def test_right_and_wrong_look_alike(self):
+        def nosy(size):
+            size(-2)
+            assert size.__name__ != "<lambda>"
+
+        assert "accepts" in message(check.test_function, nosy, self.RIGHT, self.WRONG)
+
+    @pytest.mark.parametrize("name", ["am.yaw", "am.poses.yaw", "yaw"])
+    def test_the_library_cannot_be_asked(self, name):
+        original = am.yaw
+        student = {"am": am, "np": np, "yaw": original}
+        kinds = {"the library": lambda X: am.yaw(X)}, {"is 1": lambda X: 1.0}
+        exec(f"def theirs(f):\n    assert f(np.eye(3)) == {name}(np.eye(3))", student)
+        check.test_function(student["theirs"], *kinds)
+        text = message(check.test_function, student["theirs"], *kinds, without=(original,))
+        assert text == "the library's yaw would do your work here; do without it."
+        assert am.yaw is am.poses.yaw is student["yaw"] is original
+
+    def test_implementations_may_ask_the_library(self):
+        def sound(f):
+            assert f(np.eye(3)) == 0
+
+        kinds = {"the library": lambda X: am.yaw(X)}, {"adds 1": lambda X: am.yaw(X) + 1}
+        check.test_function(sound, *kinds, without=(am.yaw,))
+
 
 class TestDerivation:
     TASK = {
@@ -388,6 +425,28 @@ class TestDerivation:
         task = {"goal": "x**2 + 2*x + 1", "given": "y**2", "declared": derive}
         check.derivation("= x*y + y\n = x**2 + 2*x + 1", **task, at_least=2)
         assert "names x, y only" in message(check.derivation, "= x*y + z", **task)
+
+    def test_some_line_has_to_show_what_is_asked(self):
+        def taken_apart(before, line):
+            return before.is_Pow and line.is_Add
+
+        told = "no line takes the square apart"
+        task = {**self.TASK, "must_pass": (), "shows": {told: taken_apart}}
+        check.derivation(list(self.LINES), **task)
+        text = message(check.derivation, ["(x + 1)*(x + 1)", self.LINES[1]], **task)
+        assert text == f"every line follows, but {told}."
+
+    def test_says_which_derivation_is_meant(self):
+        for lines in (..., 7, ["x + 1"], ["x**2"]):
+            assert message(check.derivation, lines, **self.TASK, name="mine").startswith("mine: ")
+
+    def test_a_bound_needs_a_line_with_its_sign(self):
+        task = {"goal": "x + 1", "given": "x", "domains": {"x": "real"}, "relation": "<"}
+        check.derivation("< x + 1", **task)
+        text = message(check.derivation, ["x + 1"], **task)
+        assert text == "lines begin with = or <, and none of yours with <."
+        both = message(check.derivation, "< x + 2\n > x + 1", **task)
+        assert "compose to is nothing" in both
 
     @pytest.mark.parametrize("padding", ["1*x*(x + 1) + x + 1 + 0", "1 + x + x*(1 + 0 + x)/1"])
     def test_does_not_count_padding(self, padding):
