@@ -251,6 +251,24 @@ def test_finds_the_planted_fault_and_no_other(good, rule, cell_id, old, new, say
     assert re.search(says, "\n".join(found[rule])), found
 
 
+def test_a_lecture_may_read_a_file_that_lies_beside_it(good):
+    (good.path.parent / "log.csv").write_text("1,2", encoding="utf-8")
+    assert faults(changed(good, "draws", "print(", 'open("log.csv").close()\nprint(')) == {}
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [("print(next(counter))", None), ("assert next(counter) == 0", "AssertionError")],
+)
+def test_a_cell_that_shows_times_has_to_run_again_and_no_more(good, line, says):
+    good = changed(good, "setup", "\n\nfrom", f"\n\n{EARLIER['counter']}\nfrom")
+    timed = changed(good, "draws", "print(", f"{line}\nprint(")
+    assert list(faults(timed)) == ["cells can be run again"]
+    cell(timed, "draws").metadata.tags = ["nbval-ignore-output"]
+    found = "\n".join(faults(stored(timed)).get("cells can be run again", ()))
+    assert re.search(says, found) if says else found == ""
+
+
 def figure(alt):
     return new_output("display_data", {"image/png": "AA=="}, metadata={"image/png": {"alt": alt}})
 
