@@ -633,3 +633,28 @@ def test_the_task_itself_is_checked():
 def test_public_corpus_is_unchanged():
     steps = json.loads((Path(__file__).parent / "derivations/public.json").read_text("utf-8"))
     assert len(steps) == 112 and sum(s["valid"] for s in steps) == 52
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "status"),
+    [
+        (None, "c - y > 0", {"sampled", "proved"}),
+        (None, "c - y > y", {"refuted"}),
+        ("s - c > j*(c - y)", "j < (s - c)/(c - y)", {"sampled", "proved"}),
+        ("(c - y)**2", "c**2 - 2*c*y + y**2", {"proved"}),
+        ("y*z == c", "z == c/y", {"proved", "sampled"}),
+    ],
+)
+def test_an_interval_may_end_in_a_letter(before, after, status):
+    names = {"c": ">0", "y": "(0,c)", "j": "int>=1", "s": ">0", "z": ">0"}
+    assert check_step(before, after, names).status in status
+
+
+@pytest.mark.parametrize("n", [">0", "int>=1"])
+@pytest.mark.parametrize("seed", range(3))
+def test_an_integrand_may_grow_at_an_end(n, seed):
+    names = {"n": n, "w": ">0"}
+    right = "Integral(w**(n/2 - 1/2)*exp(-w), (w, 0, oo))", "gamma((n + 1)/2)"
+    assert check_step(*right, names, seed=seed).status in ("proved", "sampled")
+    near = f"({right[1]})*(1 + 10**-9)"
+    assert check_step(right[0], near, names, seed=seed).status == "refuted"

@@ -148,7 +148,7 @@ class Real(Domain):
     def simple(self):
         return [x for x in map(Fraction, (1, 0, 2, -1, 3, -2)) if self.contains(x)]
 
-    def stretch(self, t):
+    def stretch(self, t, values):
         """Return the value for a parameter t in (-1, 1), for a search that goes downhill."""
         x = Fraction(t) / (1 - abs(Fraction(t)))
         if self.text == "angle":
@@ -246,15 +246,16 @@ class Interval(Domain):
             tries = [sp.Integer(1), sp.Rational(1, 2), sp.Integer(2), *middle]
         return [exact(x) for x in tries if self.contains(x)]
 
-    def stretch(self, t):
+    def stretch(self, t, values):
         share = (1 + sp.Rational(t)) / 2
-        if self.low == -sp.oo and self.high == sp.oo:
+        low, high = self._ends(values)
+        if low == -sp.oo and high == sp.oo:
             return Fraction(t) / (1 - abs(Fraction(t)))
-        if self.high == sp.oo:
-            return rational(self.low + share / (1 - share))
-        if self.low == -sp.oo:
-            return rational(self.high - share / (1 - share))
-        return rational(self.low + (self.high - self.low) * share)
+        if high == sp.oo:
+            return rational(low + share / (1 - share))
+        if low == -sp.oo:
+            return rational(high - share / (1 - share))
+        return rational(low + (high - low) * share)
 
     def inside(self, e, positive):
         if any(self.closed):

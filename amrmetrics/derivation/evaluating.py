@@ -334,6 +334,8 @@ def _quadrature(w, at):
         for end, start in ((low, [*cuts, high][0]), (high, [low, *cuts][-1])):
             if mp.isinf(end) and not mp.isinf(start) and not rough:
                 error += _tail_error(smooth, start, end, size, mp)
+            elif not mp.isinf(end) and not mp.isinf(start):
+                error += _end_error(smooth, end, start, digits, mp)
     except (ZeroDivisionError, OverflowError):
         raise Unreliable("an integral that does not settle") from None
     if not abs(total) < 1e100 or error > mp.mpf(10) ** (-4 if rough else -7) * (1 + size):
@@ -358,6 +360,19 @@ def _tail_error(f, start, end, size, mp):
     plain = mp.quad(lambda t: f(start + s * t), [0, mp.inf], maxdegree=5)
     stretched = mp.quad(lambda t: f(start + s * mp.expm1(t)) * mp.exp(t), [0, 5, 40], maxdegree=5)
     return abs(plain - stretched)
+
+
+def _end_error(f, end, start, digits, mp):
+    """Return what a quadrature can miss next to a finite end at which the integrand grows.
+
+    No node is nearer to the end than rounding allows; there x^-p still has an area.
+    """
+    near = (start - end) * mp.mpf(10) ** -digits
+    here, farther = (abs(f(end + step)) for step in (near, 10 * near))
+    if not here or not farther:
+        return 0
+    power = min(mp.log10(here / farther), mp.mpf("0.99"))
+    return abs(near) * here / (1 - power) if power > 0 else 0
 
 
 def _end(w, at, a):

@@ -242,7 +242,8 @@ class Search:
                 yield "zero", {**values, **dict.fromkeys(chosen, exact(angle))}
 
     def _zeros(self):
-        free = [n for n, d in self.domains.items() if d.real and d.contains(0)]
+        alone = {n: d for n, d in self.domains.items() if n not in self.dependent}
+        free = [n for n, d in alone.items() if d.real and d.contains(0)]
         for k, chosen in enumerate([free, *([n] for n in free[:5])] if free else []):
             values = self._drawn(200 + k, "fraction")
             if values:
@@ -320,7 +321,7 @@ class Search:
         ts = [Fraction(2 * k - 37, 38) for k in range(38)]
         ts += [Fraction(s, 10**k) for k in (2, 3, 5, 7) for s in (1, -1)]
         ts += [s * (1 - Fraction(1, 10**k)) for k in (2, 4) for s in (1, -1)]
-        xs = {domain.stretch(t) for t in ts}
+        xs = {domain.stretch(t, values) for t in ts}
         if g.has(sp.sin, sp.cos, sp.tan, sp.cot):
             xs |= {
                 Fraction(k, 7) for k in range(-56, 57) if domain.contains(sp.Rational(k, 7), values)
@@ -537,8 +538,8 @@ class Search:
     def _walk(self, start, names, rounds=14):
         ts = dict.fromkeys(names, Fraction(0))
         for n in names:
-            ts[n] = _shrunk(self.domains[n], start[n])
-        here = {**start, **{n: self.domains[n].stretch(t) for n, t in ts.items()}}
+            ts[n] = _shrunk(self.domains[n], start[n], start)
+        here = self._stretched(start, ts)
         scale = self._margin(here, 1.0)
         scale = abs(scale) if 0 < abs(scale) < float("inf") else 1.0
         best, step = self._margin(here, scale), Fraction(1, 4)
@@ -550,7 +551,7 @@ class Search:
                         min(ts[n] + s * (1 - abs(ts[n])), Fraction(10**9 - 1, 10**9)),
                         -Fraction(10**9 - 1, 10**9),
                     )
-                    moved = {**here, n: self.domains[n].stretch(t)}
+                    moved = self._stretched(start, {**ts, n: t})
                     height = self._margin(moved, scale)
                     if height < best:
                         best, here, better = height, moved, True
@@ -562,6 +563,13 @@ class Search:
                 if step < Fraction(1, 10**7):
                     break
         return here
+
+    def _stretched(self, start, ts):
+        """Return the values for these parameters; ends that are letters come before."""
+        values = dict(start)
+        for n, t in ts.items():
+            values[n] = self.domains[n].stretch(t, values)
+        return values
 
     def _margin(self, values, scale):
         try:
@@ -590,14 +598,14 @@ def _exact(x):
     return Fraction(*map(int, libmp.to_rational(x._mpf_)))
 
 
-def _shrunk(domain, x, rounds=40):
+def _shrunk(domain, x, values, rounds=40):
     """Return the parameter in (-1, 1) at which `domain.stretch` gives about `x`."""
     low, high = Fraction(-1) + Fraction(1, 10**9), Fraction(1) - Fraction(1, 10**9)
     x = as_float(x) if isinstance(x, Fraction) else float(x)
-    rising = float(domain.stretch(high)) > float(domain.stretch(low))
+    rising = float(domain.stretch(high, values)) > float(domain.stretch(low, values))
     for _ in range(rounds):
         middle = (low + high) / 2
-        if (float(domain.stretch(middle)) < x) == rising:
+        if (float(domain.stretch(middle, values)) < x) == rising:
             low = middle
         else:
             high = middle
