@@ -10,6 +10,7 @@ import copy
 import itertools
 import re
 import sys
+from collections import Counter
 
 import numpy as np
 
@@ -244,14 +245,17 @@ def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()
     """
     from amrmetrics.derivation import check_step
 
-    yours = _as_text(name, yours)
-    yours = getattr(domains, "expand", str)(yours)
+    entered = _as_text(name, yours)
+    yours = getattr(domains, "expand", str)(entered)
     known, domains = _names_of(domains), getattr(domains, "domains", domains)
     if re.search(r"(?<![=<>!])=(?!=)|^\s*Eq\(", yours):
         raise NotYet(f"{name}: enter the right side alone, without an equals sign and a left side.")
     alone = check_step(yours, yours, domains)
     if alone.status == "unreadable":
-        raise NotYet(f"{name} is {_with_names(alone.message, known)}")
+        said = _with_names(alone.message, known)
+        if "invalid syntax" in said:
+            said += ". Write * between factors."
+        raise NotYet(f"{name} is {said}")
     for operator in without:
         if operator in yours:
             raise NotYet(f"{name}: {operator} still stands in your formula. Carry it out.")
@@ -261,13 +265,13 @@ def formula(name, yours, expected, domains, into="{}", mistakes=None, without=()
         return
     for why, wrong in (mistakes or {}).items():
         if check_step(outcome, wrong, domains).status in ("proved", "sampled"):
-            raise NotYet(f"{name}: {yours} is not right. It looks as if {why}.")
+            raise NotYet(f"{name}: {entered} is not right. It looks as if {why}.")
     if verdict.status != "refuted":
-        raise NotYet(f"{name}: {_show(yours)} cannot be checked ({verdict.message}).")
+        raise NotYet(f"{name}: {_show(entered)} cannot be checked ({verdict.message}).")
     sequences = "[" in yours  # their values say nothing about an answer without them
     point = ", ".join(f"{k} = {v}" for k, v in verdict.witness.items() if sequences or "[" not in k)
     raise NotYet(
-        f"{name}: {yours} is not right. At {point} it makes {into.format(name)} equal to "
+        f"{name}: {entered} is not right. At {point} it makes {into.format(name)} equal to "
         f"{verdict.after_value} instead of {verdict.before_value}."
     )
 
@@ -292,7 +296,8 @@ def derivation(
         How many lines with a form of their own the derivation takes if each makes one move.
     shows : dict of str to callable, optional
         What some line has to show, by what a student reads if none does. Each is called with
-        the line before and the line, SymPy objects in which nothing is computed.
+        the line before and the line, SymPy objects in which nothing is computed; see `terms`,
+        `one_change` and `limit_by_rules`.
     name : str
         What the derivation is called; it stands before whatever is said.
     **rules
@@ -343,10 +348,193 @@ def _require_derived(chain, names, at_least, shows):
             f"every line follows, but you leap: {chain.moves} of at least {at_least} lines bring "
             "something new. Make one move a line."
         )
-    pairs = list(itertools.pairwise(chain.read_lines))
+    pairs = list(itertools.pairwise(map(_by_names, chain.read_lines)))
     for missing, shown in shows.items():
         if not any(shown(before, line) for before, line in pairs):
             raise NotYet(f"every line follows, but {missing}.")
+
+
+def _by_names(line):
+    """Return a line whose symbols have their names alone: a SymPy object may bring assumptions."""
+    import sympy as sp
+
+    names = {x: sp.Symbol(x.name) for x in line.free_symbols if x.is_Symbol}
+    # To replace a symbol is to compute, so leave a line alone in which there is none to replace.
+    return line.xreplace({x: plain for x, plain in names.items() if x != plain})
+
+
+def terms(line):
+    """Return the terms of a line: sums multiplied out, like terms put together, the rest as it is.
+
+    Parameters
+    ----------
+    line : SymPy object
+        A formula in which nothing is computed, such as `derivation` hands to `shows`.
+
+    Returns
+    -------
+    list of SymPy object
+        The terms, in the order in which they stand; none that the others cancel.
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> x, y = sp.symbols("x y")
+    >>> terms(sp.Mul(2, x - y, evaluate=False))
+    [2*x, -2*y]
+    >>> terms(sp.Add(x, 1, -1, evaluate=False))
+    [x]
+    """
+    import sympy as sp
+
+    from amrmetrics.derivation.forms import key
+
+    found = {}
+    for factors in _multiplied_out(line):
+        numbers = [f.doit() for f in factors if f.is_number]
+        letters = [f for f in factors if not f.is_number]
+        like = tuple(sorted((key(f) for f in letters), key=repr))
+        before, _ = found.get(like, (0, None))
+        found[like] = before + sp.prod(numbers), letters
+    parts = [([] if n == 1 else [n]) + letters for n, letters in found.values() if n != 0]
+    return [sp.Mul(*factors, evaluate=False) if factors else sp.S.One for factors in parts]
+
+
+def _multiplied_out(line):
+    """Return the terms of a line, each as the list of its factors."""
+    if line.is_Add:
+        return [factors for part in line.args for factors in _multiplied_out(part)]
+    if not line.is_Mul:
+        return [[line]]
+    choices = [_multiplied_out(factor) for factor in line.args]
+    products = itertools.product(*choices)
+    return [list(itertools.chain.from_iterable(chosen)) for chosen in products]
+
+
+def one_change(before, after):
+    """Whether one term, factor, numerator or denominator differs, and something stays as it is.
+
+    That is what makes an inequality visible: the reader compares the two parts alone.
+
+    Parameters
+    ----------
+    before, after : SymPy object
+        Two lines in which nothing is computed.
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> x, y = sp.symbols("x y")
+    >>> one_change(x / (x + y), x / y), one_change(x / (x + y), sp.S.One)
+    (True, False)
+    """
+    import sympy as sp
+
+    written_one = after.is_Mul and sp.S.One in after.args
+    before, after = _without_detours(before), _without_detours(after)
+    old, new = (Counter(map(_spelled, terms(w))) for w in (before, after))
+    if old & new and (old - new).total() <= 1 and (new - old).total() <= 1 and old != new:
+        return True
+    above, below = zip(_fraction_of(before), _fraction_of(after), strict=True)
+    changed = [old != new for old, new in (above, below)]
+    stays = any(old & new for old, new in (above, below))
+    replaced_by_one = written_one and not any(new - old for old, new in (above, below))
+    return stays and (sum(changed) == 1 or (all(changed) and replaced_by_one))
+
+
+def _spelled(w):
+    from amrmetrics.derivation.forms import key
+
+    return repr(key(w))
+
+
+def _without_detours(w):
+    """Return a line without terms that cancel each other, also within its factors."""
+    import sympy as sp
+
+    if w.is_Add:
+        parts = [_without_detours(term) for term in terms(w)]
+        return sp.Add(*parts, evaluate=False) if len(parts) > 1 else sum(parts, sp.S.Zero)
+    if w.is_Mul or w.is_Pow:
+        return w.func(*map(_without_detours, w.args), evaluate=False)
+    return w
+
+
+def _fraction_of(w):
+    """Return the factors above and below the line of a fraction, counted; ones are left out."""
+    above, below = [], []
+    for factor in _factors_of(w):
+        under = factor.is_Pow and factor.exp.is_number and factor.exp.is_negative
+        if factor != 1:
+            (below if under else above).append(_spelled(factor))
+    return Counter(above), Counter(below)
+
+
+def _factors_of(w):
+    return [f for part in w.args for f in _factors_of(part)] if w.is_Mul else [w]
+
+
+def limit_by_rules(line):
+    """Whether the rules for sums, products and quotients settle every limit that a line has.
+
+    They do not where a line leads to infinity over infinity, zero over zero, zero times infinity
+    or a difference of infinities.
+
+    Parameters
+    ----------
+    line : SymPy object
+        A line in which nothing is computed.
+
+    Returns
+    -------
+    bool
+        False also for a line without a limit.
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> x = sp.Symbol("x")
+    >>> limit_by_rules(sp.Limit(x / (1 + x), x, sp.oo))
+    False
+    >>> limit_by_rules(sp.Limit(1 / (1 / x + 1), x, sp.oo))
+    True
+    """
+    import sympy as sp
+
+    limits = line.atoms(sp.Limit)
+    values = [_by_rules(*limit.args[:3]) for limit in limits]
+    return bool(limits) and all(value not in (None, sp.oo) for value in values)
+
+
+def _by_rules(w, x, end):
+    """Return what a formula tends to, infinity of either sign as oo; None where no rule says it."""
+    import sympy as sp
+
+    if isinstance(w, sp.Derivative):
+        w = w.doit()
+    if not w.has(x):
+        return w.doit()
+    if w == x:
+        return abs(end)
+    parts = [_by_rules(part, x, end) for part in w.args]
+    infinite = parts.count(sp.oo)
+    if None in parts:
+        return None
+    if w.is_Add and infinite < 2:
+        return sp.oo if infinite else sp.Add(*parts)
+    vanishing = [part != sp.oo and sp.simplify(part) == 0 for part in parts]
+    if w.is_Mul and not (infinite and any(vanishing)):
+        return sp.oo if infinite else sp.Mul(*parts)
+    if w.is_Pow and parts[1].is_number and parts[1] != 0:
+        grows = parts[1].is_positive
+        if infinite or vanishing[0]:
+            return sp.oo if grows == bool(infinite) else sp.S.Zero
+        return sp.Pow(*parts)
+    return None
 
 
 def _lines_of(lines):

@@ -223,6 +223,10 @@ class TestFormula:
         text = message(check.formula, "twice", "area + z", "2*x*y", letters)
         assert "z is not declared. This part knows the names x, y, area only." in text
 
+    def test_a_missing_sign_between_factors_is_named(self):
+        text = message(check.formula, "slope", "2 x", "2*x", self.DOMAINS)
+        assert text.endswith("Write * between factors.")
+
     @pytest.mark.parametrize("dots", ["...", "  ", "\n ... \n"])
     def test_dots_in_a_text_are_no_answer(self, dots):
         text = message(check.formula, "slope", dots, "2*x", self.DOMAINS)
@@ -436,6 +440,12 @@ class TestDerivation:
         text = message(check.derivation, ["(x + 1)*(x + 1)", self.LINES[1]], **task)
         assert text == f"every line follows, but {told}."
 
+    def test_what_a_line_shows_does_not_depend_on_assumptions_of_its_symbols(self):
+        x = sp.Symbol("x", positive=True)
+        task = {**self.TASK, "must_pass": ()}
+        task["shows"] = {"no sum has x": lambda before, line: line.has(sp.Symbol("x"))}
+        check.derivation([(x + 1) * (x + 1), self.LINES[1]], **task)
+
     def test_says_which_derivation_is_meant(self):
         for lines in (..., 7, ["x + 1"], ["x**2"]):
             assert message(check.derivation, lines, **self.TASK, name="mine").startswith("mine: ")
@@ -497,3 +507,95 @@ class TestDerivation:
     )
     def test_says_what_is_wrong(self, lines, says):
         assert says in message(check.derivation, lines, **self.TASK)
+
+
+def written(line):
+    """A line as `shows` gets it: nothing is computed."""
+    from amrmetrics.derivation import Derivation
+
+    return Derivation("0", given=line, domains=dict.fromkeys("xyzc", ">0")).given.meaning
+
+
+class TestWhatALineShows:
+    @pytest.mark.parametrize(
+        ("line", "terms"),
+        [
+            ("x", ["x"]),
+            ("2*c*(1/c - x)", ["2*c/c", "-2*c*x"]),
+            ("x*(x + 1)*(y - 2)", ["x*x*y", "-2*x*x", "x*y", "-2*x"]),
+            ("x + y - x", ["y"]),
+            ("2*y - (2*y - x)", ["x"]),
+            ("x/2 + x/2", ["x"]),
+            ("1 + x - 1 + 1", ["1", "x"]),
+        ],
+    )
+    def test_terms(self, line, terms):
+        from amrmetrics.derivation.forms import key
+
+        assert list(map(key, check.terms(written(line)))) == list(map(key, map(written, terms)))
+
+    @pytest.mark.parametrize(
+        ("before", "after"),
+        [
+            ("2*x/(1 + x/c)", "2*x/(x/c)"),
+            ("2*x/(1 + x/c)", "2*c*(1 + x/c)/(1 + x/c)"),
+            ("2*c*x/(c + x)", "2*c*x/x"),
+            ("2*c*x/(c + x)", "2*c*1"),
+            ("2*c/(c/x + 1)", "2*c"),
+            ("2*c - 2*c/(1 + x/c)", "2*c"),
+            ("2*c*(1 - c/(c + x))", "2*c"),
+            ("x + y", "x + y + z"),
+            ("x + y", "x + z"),
+        ],
+    )
+    def test_one_change(self, before, after):
+        assert check.one_change(written(before), written(after))
+
+    @pytest.mark.parametrize(
+        ("before", "after"),
+        [
+            ("2*x/(1 + x/c)", "2*c"),
+            ("2*x/(1 + x/c)", "2*c + x - x"),
+            ("2*x/(1 + x/c)", "2*c*(1 + x)/(1 + x)"),
+            ("2*c*x/(c + x)", "2*c"),
+            ("2*c*x/(c + x)", "2*c*(1 + x)/(1 + x)"),
+            ("2*c - (2*c - 2*x/(1 + x/c))", "2*c"),
+            ("2*(c - (c - c*x/(c + x)))", "2*c"),
+            ("2*x/(1 + x/c)", "2*x/(1 + x/c) + (2*c - 2*c*x/(c + x))"),
+            ("x + y", "z"),
+            ("x", "y"),
+        ],
+    )
+    def test_more_than_one_change(self, before, after):
+        assert not check.one_change(written(before), written(after))
+
+    @pytest.mark.parametrize(
+        "line",
+        [
+            "Limit(2/(1/x + 1/c), x, oo)",
+            "2*Limit(1/(1/x + 1/c), x, oo)",
+            "Limit(2*c - 2*c/(1 + x/c), x, oo)",
+            "Limit(2, x, oo)/Limit(1/x + 1/c, x, oo)",
+            "Limit(Derivative(2*x, x)/Derivative(1 + x/c, x), x, oo)",
+            "Limit(2/(y + 1/c), y, 0)",
+            "Limit((1 + 1/x)**2, x, oo)",
+        ],
+    )
+    def test_limits_that_the_rules_settle(self, line):
+        assert check.limit_by_rules(written(line))
+
+    @pytest.mark.parametrize(
+        "line",
+        [
+            "2*c",
+            "Limit(2*x/(1 + x/c), x, oo)",
+            "Limit(2*x/(1 + x/c) + 3, x, oo) - 3",
+            "Limit(2*x, x, oo)/Limit(1 + x/c, x, oo)",
+            "Limit(2*(x/x)/(1/x + 1/c), x, oo)",
+            "Limit(x*(1/x), x, oo)",
+            "Limit(x - (x - c), x, oo)",
+            "Limit(sin(y)/y, y, 0)",
+        ],
+    )
+    def test_limits_that_they_leave_open(self, line):
+        assert not check.limit_by_rules(written(line))

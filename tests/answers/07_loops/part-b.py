@@ -1,273 +1,435 @@
 # %% wrong: nothing but the results
-lines_psi = ["2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the derivative of the logarithm without the inner one
 lines_psi = """
-    = 2*k**2*(1/k - 1/(1 + x/k))
-    = 2*x/(1 + x/k)
+    = 2*c**2*(1/c - 1/(1 + x/c))
+    = 2*x/(1 + x/c)
 """
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the first term does not become a constant
 lines_psi = """
-    = 2*k**2*(x/k - 1/(k*(1 + x/k)))
-    = 2*x/(1 + x/k)
+    = 2*c**2*(x/c - 1/(c*(1 + x/c)))
+    = 2*x/(1 + x/c)
 """
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: leaps to the result, rewritten once
-lines_psi = ["2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: takes the constant out, then leaps
-lines_psi = ["2*k**2*Derivative(x/k - log(1 + x/k), x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*Derivative(x/c - log(1 + x/c), x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: pads with plus and minus the same
-lines_psi = ["2*x/(1 + x/k) + k - k", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*x/(1 + x/c) + c - c", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: pads with a factor 2/2
-lines_psi = ["2*2*x/(2*(1 + x/k))", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*2*x/(2*(1 + x/c))", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: stops before the fraction is one
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the weight is the influence function
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "2*x/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "2*x/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the weight without the half
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "2/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "2/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the weight is the curvature
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)**2"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)**2"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the weight of Cauchy's kernel
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x**2/k**2)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x**2/c**2)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the derivative is left in the weight
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "Derivative(2*k**2*(x/k - log(1 + x/k)), x)/(2*x)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "Derivative(2*c**2*(x/c - log(1 + x/c)), x)/(2*x)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the limit is read off
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the limit of a fraction that still is infinity over infinity
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2*k*x/(k + x), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2*c*x/(c + x), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: x is put to infinity in numerator and denominator
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2*x, x, oo)/Limit(1 + x/k, x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2*x, x, oo)/Limit(1 + x/c, x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: l'Hopital by the quotient rule
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1 + x/k)**2, x, oo)", "0"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1 + x/c)**2, x, oo)", "0"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
-# %% wrong: the limit without k
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+# %% wrong: the limit without c
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the bound is claimed
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*c"
 
 # %% wrong: the bound is claimed, padded
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "= 2*2*x/(2*(1 + x/k))\n < 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "= 2*2*x/(2*(1 + x/c))\n < 2*c"
 
 # %% wrong: the bound is claimed, padded behind
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*k + k - k\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*c + c - c\n = 2*c"
 
 # %% wrong: the limit of the result
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2*k, x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2*c, x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the two halves, then a leap
-lines_psi = ["x/(1 + x/k) + x/(1 + x/k)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["x/(1 + x/c) + x/(1 + x/c)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the logarithm is taken apart, then a leap
-lines_psi = ["Derivative(2*k**2*(x/k - log(k + x) + log(k)), x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x/(x/k)\n = 2*k"
+lines_psi = ["Derivative(2*c**2*(x/c - log(c + x) + log(c)), x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
 
 # %% wrong: a denominator that is smaller makes the fraction smaller
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "> 2*x/(x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "> 2*x/(x/c)\n = 2*c"
 
 # %% wrong: the bound as an equation
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = ["2*x/(x/k)", "2*k"]
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = ["2*x/(x/c)", "2*c"]
 
 # %% wrong: the bound of small x
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
-lines_bound = "< 2*x\n < 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x\n < 2*c"
 
 # %% wrong: the last part is missing
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*k*x/(k + x)", "2*x/(1 + x/k)"]
-weight = "1/(1 + x/k)"
-lines_limit = ["Limit(2/(1/x + 1/k), x, oo)", "2*k"]
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
 lines_bound = ...
 
 # %% right: three lines, the fraction put together in between
 lines_psi = """
-    = 2*k**2*(1/k - (1/k)/(1 + x/k))   # chain rule
-    = 2*k*(1 + x/k - 1)/(1 + x/k)      # one fraction
-    = 2*x/(1 + x/k)                    # cancel
+    = 2*c**2*(1/c - (1/c)/(1 + x/c))   # chain rule
+    = 2*c*(1 + x/c - 1)/(1 + x/c)      # one fraction
+    = 2*x/(1 + x/c)                    # cancel
 """
-weight = "k/(k + x)"
+weight = "c/(c + x)"
 lines_limit = """
-    = Limit(2*k - 2*k/(1 + x/k), x, oo)   # divide with remainder
-    = 2*k                                 # the rest vanishes
+    = Limit(2*c - 2*c/(1 + x/c), x, oo)   # divide with remainder
+    = 2*c                                 # the rest vanishes
 """
 lines_bound = """
-    = 2*k - 2*k/(1 + x/k)   # divide with remainder
-    < 2*k                   # the rest is positive
+    = 2*c - 2*c/(1 + x/c)   # divide with remainder
+    < 2*c                   # the rest is positive
 """
 
 # %% right: derivatives of each term, l'Hopital, lists of pairs
 lines_psi = [
-    ("2*k**2*(Derivative(x/k, x) - Derivative(log(1 + x/k), x))", "linear"),
-    ("2*k**2*(1/k - 1/(k + x))", "chain rule"),
-    ("2*k - 2*k**2/(k + x)", "multiply out"),
-    ("2*k*x/(k + x)", "one fraction"),
-    ("2*x/(1 + x/k)", "divide by k"),
+    ("2*c**2*(Derivative(x/c, x) - Derivative(log(1 + x/c), x))", "linear"),
+    ("2*c**2*(1/c - 1/(c + x))", "chain rule"),
+    ("2*c - 2*c**2/(c + x)", "multiply out"),
+    ("2*c*x/(c + x)", "one fraction"),
+    ("2*x/(1 + x/c)", "divide by c"),
 ]
-weight = "1/(1+x/k)"
+weight = "1/(1+x/c)"
 lines_limit = [
-    ("Limit(Derivative(2*x, x)/Derivative(1 + x/k, x), x, oo)", "l'Hopital"),
-    ("2/(1/k)", "no x left"),
-    ("2*k", ""),
+    ("Limit(Derivative(2*x, x)/Derivative(1 + x/c, x), x, oo)", "l'Hopital"),
+    ("2/(1/c)", "no x left"),
+    ("2*c", ""),
 ]
-lines_bound = [("= 2*k*x/(k + x)", "times k"), ("< 2*k*x/x", "smaller below"), ("= 2*k", "cancel")]
+lines_bound = [("= 2*c*x/(c + x)", "times c"), ("< 2*c*x/x", "smaller below"), ("= 2*c", "cancel")]
 
 # %% right: SymPy objects
 import sympy as sp
 
-x, k = sp.symbols("x k", positive=True)
-psi = 2 * x / (1 + x / k)
-lines_psi = [2 * k**2 * (1 / k - 1 / (k + x)), 2 * k * (1 - k / (k + x)), psi]
+x, c = sp.symbols("x c", positive=True)
+psi = 2 * x / (1 + x / c)
+lines_psi = [2 * c**2 * (1 / c - 1 / (c + x)), 2 * c * (1 - c / (c + x)), psi]
 weight = sp.simplify(psi / (2 * x))
-lines_limit = [sp.Limit(2 / (1 / x + 1 / k), x, sp.oo), 2 * k]
-lines_bound = "= 2*k*(x/(k + x))\n < 2*k*1\n = 2*k"
+lines_limit = [sp.Limit(2 / (1 / x + 1 / c), x, sp.oo), 2 * c]
+lines_bound = "= 2*c*(x/(c + x))\n < 2*c*1\n = 2*c"
 
 # %% right: the given lines repeated, other names of the limit
 lines_psi = """
-    Derivative(2*k**2*(x/k - log(1 + x/k)), x)
-    = 2*k**2*(1/k - (1/k)*(1/(1 + x/k)))
-    = 2*k*(1 - 1/(1 + x/k))
-    = 2*k*((x/k)/(1 + x/k))
-    = 2*x/(1 + x/k)
+    Derivative(2*c**2*(x/c - log(1 + x/c)), x)
+    = 2*c**2*(1/c - (1/c)*(1/(1 + x/c)))
+    = 2*c*(1 - 1/(1 + x/c))
+    = 2*c*((x/c)/(1 + x/c))
+    = 2*x/(1 + x/c)
 """
-weight = "(2*x/(1 + x/k))/(2*x)"
+weight = "(2*x/(1 + x/c))/(2*x)"
 lines_limit = """
-    Limit(2*x/(1 + x/k), x, oo)
-    = 2*Limit(x/(1 + x/k), x, oo)
-    = 2*Limit(1/(1/x + 1/k), x, oo)
-    = 2*(1/(0 + 1/k))
-    = 2*k
+    Limit(2*x/(1 + x/c), x, oo)
+    = 2*Limit(x/(1 + x/c), x, oo)
+    = 2*Limit(1/(1/x + 1/c), x, oo)
+    = 2*(1/(0 + 1/c))
+    = 2*c
 """
 lines_bound = """
-    2*x/(1 + x/k)
-    < 2*x/(x/k)     # leave out the 1
-    = 2*k
+    2*x/(1 + x/c)
+    < 2*x/(x/c)     # leave out the 1
+    = 2*c
 """
 
 # %% right: rows without signs, a strict step after a loose one
 lines_psi = """
-    2*k**2*Derivative(x/k - log(1 + x/k), x)
-    2*k**2*(1/k - 1/(k*(1 + x/k)))
-    2*k**2*((1 + x/k) - 1)/(k*(1 + x/k))
-    2*x/(1 + x/k)
+    2*c**2*Derivative(x/c - log(1 + x/c), x)
+    2*c**2*(1/c - 1/(c*(1 + x/c)))
+    2*c**2*((1 + x/c) - 1)/(c*(1 + x/c))
+    2*x/(1 + x/c)
 """
-weight = "1 - x/(k + x)"
+weight = "1 - x/(c + x)"
 lines_limit = """
-    Limit(2*k/(k/x + 1), x, oo)
-    2*k/(0 + 1)
-    2*k
+    Limit(2*c/(c/x + 1), x, oo)
+    2*c/(0 + 1)
+    2*c
 """
 lines_bound = """
-    = 2*k*x/(x + k)
-    <= 2*k*(x + k/2)/(x + k)
-    < 2*k
+    = 2*c*x/(x + c)
+    <= 2*c*(x + c/2)/(x + c)
+    < 2*c*(x + c)/(x + c)
+    = 2*c
 """
 
 # %% right: another variable in the limit
-lines_psi = ["2*k**2*(1/k - 1/(k + x))", "2*k*(1 - k/(k + x))", "2*x/(1 + x/k)"]
-weight = "1/(x/k + 1)"
-lines_limit = ["Limit(2*k*u/(1 + u), u, oo)", "Limit(2*k/(1/u + 1), u, oo)", "2*k"]
-lines_bound = "= 2*k*(x/k)/(1 + x/k)\n < 2*k*(1 + x/k)/(1 + x/k)\n = 2*k"
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*x/(1 + x/c)"]
+weight = "1/(x/c + 1)"
+lines_limit = ["Limit(2*c*u/(1 + u), u, oo)", "Limit(2*c/(1/u + 1), u, oo)", "2*c"]
+lines_bound = "= 2*c*(x/c)/(1 + x/c)\n < 2*c*(1 + x/c)/(1 + x/c)\n = 2*c"
 
 # %% right: t = 1/x, and diff for a derivative
 lines_psi = """
-    = 2*k**2*(diff(x/k, x) - diff(log(1 + x/k), x))   # term by term
-    = 2*k**2*(1/k - 1/(k + x))                        # chain rule
-    = 2*k*x/(k + x)                                   # one fraction
-    = 2*x/(x/k + 1)                                   # divide by k
+    = 2*c**2*(diff(x/c, x) - diff(log(1 + x/c), x))   # term by term
+    = 2*c**2*(1/c - 1/(c + x))                        # chain rule
+    = 2*c*x/(c + x)                                   # one fraction
+    = 2*x/(x/c + 1)                                   # divide by c
 """
-weight = "(1 + x/k)**-1"
-lines_limit = ["Limit(2/(t + 1/k), t, 0)", "2/(1/k)", "2*k"]
-lines_bound = ["= 2*k*x/(k + x)", "< 2*k*(x + k)/(k + x)", "= 2*k"]
+weight = "(1 + x/c)**-1"
+lines_limit = ["Limit(2/(t + 1/c), t, 0)", "2/(1/c)", "2*c"]
+lines_bound = ["= 2*c*x/(c + x)", "< 2*c*(x + c)/(c + x)", "= 2*c"]
+
+# %% wrong: one fraction times a bracket, minus what it adds
+lines_psi = ["2*x/(1 + x/c)*(1 + x) - 2*x**2/(1 + x/c)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: a constant is added to the result and taken away
+lines_psi = ["2*c + (2*x/(1 + x/c) - 2*c)", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: the two derivatives are announced, not carried out
+lines_psi = ["Derivative(2*c*x, x) - Derivative(2*c**2*log(1 + x/c), x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: only the first term is differentiated, then a leap
+lines_psi = ["2*c - 2*c**2*Derivative(log(1 + x/c), x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: the result is halved and doubled in two fractions
+lines_psi = ["4*x/(1 + x/c) - 2*x*(1 + x/c)/(1 + x/c)**2", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: three is added below the limit and taken away
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = "= Limit(2*x/(1 + x/c) + 3, x, oo) - 3\n = 2*c"
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: three is added, in a fraction of its own
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = "= Limit((2*x + 3*(1 + x/c))/(1 + x/c), x, oo) - 3\n = 2*c"
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: another function with the same limit
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = "= Limit(2*c + 1/x, x, oo)\n = 2*c"
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: two other functions with the same limit
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = "= Limit(2*c + 1/x, x, oo)\n = Limit(2*c + 1/(2*x), x, oo)\n = 2*c"
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: a factor that tends to 1
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = "= Limit(2*c*(1 - 1/x), x, oo)\n = 2*c"
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: infinity over infinity beside a finite factor
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = "= Limit((2/(1/x + 1/c))*(x/x), x, oo)*Limit(x/x, x, oo)\n = 2*c"
+lines_bound = "< 2*x/(x/c)\n = 2*c"
+
+# %% wrong: the bound is claimed, x behind it and taken away
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*c + x - x\n = 2*c"
+
+# %% wrong: the bound is claimed, times a fraction that is one
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*c*(1 + x)/(1 + x)\n = 2*c"
+
+# %% wrong: times c, then the bound is claimed
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "= 2*x*c/(c + x)\n < 2*c"
+
+# %% wrong: times c, then the bound is claimed in a fraction that is one
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "= 2*c*x/(c + x)\n < 2*c*(1 + x)/(1 + x)\n = 2*c"
+
+# %% wrong: the bound minus the rest to it
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "= 2*c - (2*c - 2*x/(1 + x/c))\n < 2*c"
+
+# %% wrong: the rest to the bound is added
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "< 2*x/(1 + x/c) + (2*c - 2*c*x/(c + x))\n = 2*c"
+
+# %% wrong: the rest to the bound within a bracket
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "= 2*(c - (c - c*x/(c + x)))\n < 2*c"
+
+# %% wrong: the bound stands on the wrong side of the sign
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/x + 1/c), x, oo)", "2*c"]
+lines_bound = "= 2*c - 2*c/(1 + x/c)\n > 2*c"
+
+# %% right: both slopes multiplied out at once, limits of the parts, a term is left out
+lines_psi = "= 2*c - 2*c**2/(c + x)\n = 2*x/(1 + x/c)"
+weight = "c/(x + c)"
+lines_limit = "= Limit(2*c, x, oo) - Limit(2*c**2/(c + x), x, oo)\n = 2*c - 0\n = 2*c"
+lines_bound = "= 2*c*(1 - c/(c + x))\n < 2*c*1\n = 2*c"
+
+# %% right: one slope after the other, quotient of limits, the denominator shrinks to 1/c
+lines_psi = ["Derivative(2*c*x, x) - Derivative(2*c**2*log(1 + x/c), x)", "2*c - Derivative(2*c**2*log(1 + x/c), x)", "2*c - 2*c**2*(1/c)/(1 + x/c)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2, x, oo)/Limit(1/x + 1/c, x, oo)", "2/(1/c)", "2*c"]
+lines_bound = ["= 2/(1/x + 1/c)", "< 2/(1/c)", "= 2*c"]
+
+# %% right: the logarithm of a quotient, u = x/c in the limit, a sum in the denominator
+lines_psi = ["Derivative(2*c*x - 2*c**2*(log(c + x) - log(c)), x)", "2*c - 2*c**2*(1/(c + x) - 0)", "(2*c*(c + x) - 2*c**2)/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2*c/(1/u + 1), u, oo)", "2*c"]
+lines_bound = ["= 2*c/(c/x + 1)", "< 2*c"]
+
+# %% right: the inner derivative is left for the next line, l'Hopital carried out
+lines_psi = ["2*c**2*(1/c - Derivative(x/c, x)/(1 + x/c))", "2*c*(1 - 1/(1 + x/c))", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2/(1/c), x, oo)", "2*c"]
+lines_bound = ["< 2*c*(1 + x/c)/(1 + x/c)", "= 2*c"]
+
+# %% right: first another form of the fraction, then divided by x; numerators compared
+lines_psi = ["2*c**2*(1/c - 1/(c + x))", "2*c*(1 - c/(c + x))", "2*c*x/(c + x)", "2*x/(1 + x/c)"]
+weight = "1/(1 + x/c)"
+lines_limit = ["Limit(2*c*x/(c + x), x, oo)", "Limit(2*c/(c/x + 1), x, oo)", "2*c/(0 + 1)", "2*c"]
+lines_bound = ["= 2*c*x/(c + x)", "< 2*c*(c + x)/(c + x)", "= 2*c"]
+
+# %% right: u = 1 + x/c in the limit, numerator made larger
+lines_psi = """
+    = 2*c**2*Derivative(x/c, x) - 2*c**2*Derivative(log(1 + x/c), x)
+    = 2*c**2/c - 2*c**2*(1/(1 + x/c))*(1/c)
+    = 2*x/(1 + x/c)
+"""
+weight = "  c / (x + c) "
+lines_limit = """
+    = Limit(2*c*(u - 1)/u, u, oo)
+    = Limit(2*c*(1 - 1/u), u, oo)
+    = 2*c
+"""
+lines_bound = """
+    < (2*x + 2*c)/(1 + x/c)
+    = 2*c
+"""

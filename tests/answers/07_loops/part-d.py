@@ -216,7 +216,65 @@ def false_closures(path):
     return np.where(closures & (result.edge_chi_square > 50))
 
 
-# %% right: Huber first, then Geman-McClure, then weights
+# %% wrong: a closure leads to a later node
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = (j - i) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square > 50)).tolist()
+
+
+# %% wrong: a closure leads to an earlier node
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = i - j > 1
+    if not closures.any():
+        closures = j - i > 1
+    result = am.optimize(graph, "cauchy", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square > 50)).tolist()
+
+
+# %% wrong: an edge is odometry if it leads to the next node
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = j - i != 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square < 50)).tolist()
+
+
+# %% wrong: Cauchy alone, with the gate of 95 %
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    result = am.optimize(graph, "cauchy", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square > 7.81)).tolist()
+
+
+# %% wrong: Cauchy on all edges, with the gate of the library
+def false_closures(path):
+    graph = am.read_g2o(path)
+    result = am.optimize(graph, "cauchy")
+    gate = am.inlier_ratio(result.graph.residuals(), graph.information)
+    apart = np.ptp(graph.edges, axis=1)
+    return np.flatnonzero(~gate.inliers & (apart > 1)).tolist()
+
+
+# %% wrong: Cauchy alone, with a gate of 99 %
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    result = am.optimize(graph, "cauchy", robust=closures)
+    return np.flatnonzero(closures & (result.edge_chi_square > 11.34)).tolist()
+
+
+# %% wrong: Huber, Geman-McClure, and every weight below a tenth
 def false_closures(path):
     graph = am.read_g2o(path)
     closures = np.abs(graph.edges[:, 0] - graph.edges[:, 1]) != 1
@@ -225,6 +283,56 @@ def false_closures(path):
     start = am.optimize(graph, "huber", robust=closures)
     result = am.optimize(start.graph, "geman_mcclure", robust=closures)
     return [k for k in range(len(graph.edges)) if closures[k] and result.weights[k] < 0.1]
+
+
+# %% wrong: what a narrow kernel left out is gated as if it were in the fit
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    result = am.optimize(graph, "cauchy", robust=closures)
+    for width in (100, 30, 10, 3):
+        result = am.optimize(result.graph, "geman_mcclure", width=width, robust=closures)
+    inliers = am.inlier_ratio(result.graph.residuals(), graph.information, 0.999).inliers
+    rest = am.optimize(graph.keep(inliers | ~closures))
+    final = graph.with_poses(rest.poses).summary().edge_chi_square
+    return np.flatnonzero(closures & (final > 16.27)).tolist()
+
+
+# %% wrong: a gate in meters
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    start = am.optimize(graph, "cauchy", robust=closures).graph
+    result = am.optimize(start, "geman_mcclure", robust=closures)
+    off = np.linalg.norm(result.graph.residuals()[:, :2], axis=1)
+    return np.flatnonzero(closures & (off > 1)).tolist()
+
+
+# %% wrong: each of them twice, once for each kernel
+def false_closures(path):
+    graph = am.read_g2o(path)
+    i, j = graph.edges.T
+    closures = abs(i - j) > 1
+    found = []
+    for kernel in ("cauchy", "geman_mcclure"):
+        result = am.optimize(graph, kernel, robust=closures)
+        found += np.flatnonzero(closures & (result.edge_chi_square > 100)).tolist()
+        graph = result.graph
+    return found
+
+
+# %% right: Huber first, then Geman-McClure, a list comprehension
+def false_closures(path):
+    graph = am.read_g2o(path)
+    closures = np.abs(graph.edges[:, 0] - graph.edges[:, 1]) != 1
+    if not closures.any():
+        return []
+    start = am.optimize(graph, "huber", robust=closures)
+    result = am.optimize(start.graph, "geman_mcclure", robust=closures)
+    far = result.edge_chi_square > 50
+    return [k for k in range(len(graph.edges)) if closures[k] and far[k]]
 
 
 # %% right: the worst closure out, again and again; an array
@@ -266,7 +374,7 @@ def false_closures(path):
     return tuple(sorted(false))
 
 
-# %% right: a kernel that narrows, then the gate of 99.9 %
+# %% right: a kernel that narrows, then least squares of what is left
 def false_closures(path):
     graph = am.read_g2o(path)
     i, j = graph.edges.T
@@ -277,4 +385,19 @@ def false_closures(path):
     inliers = am.inlier_ratio(result.graph.residuals(), graph.information, 0.999).inliers
     rest = am.optimize(graph.keep(inliers | ~closures))
     final = graph.with_poses(rest.poses).summary().edge_chi_square
-    return np.flatnonzero(closures & (final > 16.27)).astype(float)
+    return np.flatnonzero(closures & (final > 100)).astype(float)
+
+
+# %% right: one statement after the other, i and j put in order first
+def false_closures(path):
+    graph = am.read_g2o(path)
+    first = graph.edges.min(axis=1)
+    last = graph.edges.max(axis=1)
+    is_closure = last - first > 1
+    found = []
+    mapped = am.optimize(graph, loss="cauchy", robust=is_closure)
+    mapped = am.optimize(mapped.graph, loss="geman_mcclure", robust=is_closure)
+    for k, chi_square in enumerate(mapped.edge_chi_square):
+        if is_closure[k] and chi_square > 100:
+            found.append(k)
+    return found
