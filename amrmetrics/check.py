@@ -704,6 +704,8 @@ def _require_kind(name, yours, expected):
             if yours is None or found.dtype.kind in "bcSU":  # NumPy would read "2" as 2.0
                 raise TypeError
             found = found.astype(float)
+        except OverflowError:
+            raise NotYet(f"{name}: you have a number beyond all doubles.") from None
         except (TypeError, ValueError):
             raise NotYet(f"{name}: numbers are asked, you have {_show(yours)}.") from None
         if found.shape != np.shape(expected):

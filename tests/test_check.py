@@ -599,3 +599,8 @@ class TestWhatALineShows:
     )
     def test_limits_that_they_leave_open(self, line):
         assert not check.limit_by_rules(written(line))
+
+
+def test_an_integer_beyond_all_doubles_is_wrong_and_breaks_nothing():
+    text = message(check.value, "p", 1 - 1999**1800, 0.5)
+    assert text == "p: you have a number beyond all doubles."
