@@ -105,9 +105,9 @@ def quietly(step, *command):
     return done.stdout
 
 
-def in_front(*arguments):
+def in_front(*arguments, folder=ROOT):
     """Run the Python of `.venv` in this terminal and return its exit code."""
-    process = subprocess.Popen([PYTHON, *arguments], cwd=ROOT, env=ENVIRONMENT)
+    process = subprocess.Popen([PYTHON, *arguments], cwd=folder, env=ENVIRONMENT)
     signal.signal(signal.SIGTERM, lambda *_: process.terminate())
     while True:
         try:
@@ -270,19 +270,17 @@ def test(extra):
 
 def release(extra):
     set_up()
-    return in_front(ROOT / "tests" / "release.py", *extra)
+    return in_front(ROOT / "tools" / "release.py", *extra, folder=None)
 
 
 def refresh(extra):
     set_up()
-    return in_front(ROOT / "tests" / "refresh.py", *extra)
+    return in_front(ROOT / "tools" / "refresh.py", *extra, folder=None)
 
 
 def bench(extra):
     set_up(test=True)
-    # One thread: others wait for each other where the machine is busy, and help little elsewhere.
-    ENVIRONMENT.setdefault("OPENBLAS_NUM_THREADS", "1")
-    return in_front(ROOT / "tests" / "bench.py", *extra)
+    return in_front(ROOT / "tools" / "bench.py", *extra)
 
 
 def doctor(extra):
@@ -290,7 +288,7 @@ def doctor(extra):
     print(f"system: {platform.platform()}\nPython: {platform.python_version()}, {sys.executable}")
     if is_current():
         print("set-up: ok", flush=True)
-        return in_front(ROOT / "tests" / "doctor.py")
+        return in_front(ROOT / "tools" / "doctor.py")
     print(f"set-up: FAILED  missing, unfinished or out of date. Run: {SELF} lab")
     return 1
 

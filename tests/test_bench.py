@@ -7,10 +7,11 @@ def test_runs_and_says_what_it_measured(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(bench, "ENOUGH", 0)
     monkeypatch.setattr(bench, "GRAPHS", (800, 1_600))
     monkeypatch.setattr(bench, "SCALE", 1000)
+    monkeypatch.setattr(bench, "CLOCKED_SIZE", 200)
     assert bench.main(["100", "100"], tmp_path / "new" / "bench.png") == 0
     said = capsys.readouterr().out
     for row in (
-        "ATE of positions planar",
+        "\nATE of positions planar",
         "RPE spatial, 1 m",
         "associate",
         "read_tum",
@@ -19,6 +20,8 @@ def test_runs_and_says_what_it_measured(tmp_path, capsys, monkeypatch):
     ):
         assert said.count(row) == 1
     assert said.count("Manhattan world  ") == 2
+    for where in ("alone", "busy core"):
+        assert said.count(f"{where:10} ATE of poses spatial") == 1
     for row in ("microseconds a frame", "latency, correlated", "compare_bootstrap, 1e4"):
         assert said.count(row) == 1
     assert "from 800 to 1600 edges, time per iteration grows like" in said

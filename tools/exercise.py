@@ -4,7 +4,7 @@ The answers that students give stand in ``tests/answers/NN_name/<grade_id>.py``:
 separated by ``# %% wrong: <misconception>`` and ``# %% right: <how it differs>``. What a student
 reads for each of them, for whoever writes a problem set::
 
-    python3 tests/exercise.py 02_alignment part-d
+    python3 tools/exercise.py 02_alignment part-d
 """
 
 import contextlib

@@ -3,6 +3,7 @@
 What nbgrader's own command does, for all problem sets at once and without its database.
 """
 
+import argparse
 import logging
 import shutil
 import sys
@@ -33,10 +34,13 @@ def generate(folder):
     return names
 
 
-def main(arguments):
+def main(arguments=None):
     """Replace ``exercises/``, or fill the new folder that the command line names."""
-    target = Path(arguments[0]) if arguments else ROOT / "exercises"
-    if arguments and target.exists():
+    parser = argparse.ArgumentParser(prog="course.py release", description=__doc__)
+    parser.add_argument("folder", nargs="?", type=Path, help="a new folder (default: exercises)")
+    folder = parser.parse_args(arguments).folder
+    target = folder or ROOT / "exercises"
+    if folder and target.exists():
         print(f"{target} exists already. Name a new folder, or none for exercises/.")
         return 2
     with tempfile.TemporaryDirectory() as folder:
@@ -57,4 +61,4 @@ def main(arguments):
 
 if __name__ == "__main__":
     logging.basicConfig(format="%(message)s")
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())
