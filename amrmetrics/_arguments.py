@@ -11,6 +11,9 @@ from amrmetrics.errors import AmrError
 # Squares of larger numbers overflow; no robot is that far away.
 LARGEST = 1e100
 
+# Squares of smaller numbers lose digits.
+SMALLEST = 1e-140
+
 # Rotation matrices read from text keep six or seven digits.
 ORTHONORMAL_WITHIN = 1e-5
 
@@ -21,7 +24,7 @@ BLOCK = 8192
 def as_numbers(value, name):
     """Return `value` as an array of finite doubles."""
     array = as_reals(value, name)
-    _refuse_not_finite(array, name)
+    refuse_not_finite(array, name)
     return array
 
 
@@ -35,19 +38,19 @@ def as_reals(value, name):
     return array.astype(float, copy=False)
 
 
-def _refuse_not_finite(array, name):
+def refuse_not_finite(array, name):
     bad = ~np.isfinite(array)
     if bad.any():
         raise AmrError(
-            f"{name}{_first(bad)} is {array[bad][0]}; entries of {name} that are NaN or infinite: "
-            f"{bad.sum()}. Remove or interpolate those samples first."
+            f"{name}{first_index(bad)} is {array[bad][0]}; entries of {name} that are NaN or "
+            f"infinite: {bad.sum()}. Remove or interpolate those samples first."
         )
 
 
 def as_rows(value, name, widths, meaning):
     """Return `value` as an (N, w) array with N >= 1 and w one of `widths`."""
     array = _in_rows(as_reals(value, name), name, widths, meaning)
-    _refuse_not_finite(array, name)
+    refuse_not_finite(array, name)
     return array
 
 
@@ -57,7 +60,7 @@ def _in_rows(array, name, widths, meaning):
         raise AmrError(
             f"{name} has shape {array.shape}; {meaning} need shape {shapes}, one row per sample."
         )
-    return _with_samples(array, name)
+    return with_samples(array, name)
 
 
 def as_poses(value, name, batch=False):
@@ -65,6 +68,12 @@ def as_poses(value, name, batch=False):
 
     With `batch`, any number of leading axes is allowed, none included.
     """
+    why = getattr(value, "why_no_orientation", "")
+    if why:
+        raise AmrError(
+            f"{name} has no orientations, which are needed here: {why}. ate, align and "
+            "path_length need positions only."
+        )
     array = as_reals(value, name)
     square = array.ndim >= 2 and array.shape[-2:] in ((3, 3), (4, 4))
     if not square or (array.ndim != 3 and not batch):
@@ -72,10 +81,10 @@ def as_poses(value, name, batch=False):
             f"{name} has shape {array.shape}; poses need shape (N, 3, 3) for the plane or "
             "(N, 4, 4) for space. planar_poses and spatial_poses make them."
         )
-    _with_samples(array, name)
+    with_samples(array, name)
     with np.errstate(over="ignore", invalid="ignore"):
         if not all(map(_are_poses, in_blocks(array.reshape(-1, *array.shape[-2:])))):
-            _refuse_not_finite(array, name)
+            refuse_not_finite(array, name)
             _refuse_non_poses(array, name)
     return array
 
@@ -111,7 +120,7 @@ def _refuse_non_poses(X, name):
     wrong = (X[..., d, :] != last_row).any(-1)
     if wrong.any():
         raise AmrError(
-            f"{name}{_first(wrong)} has the last row {X[..., d, :][wrong][0].tolist()}; a "
+            f"{name}{first_index(wrong)} has the last row {X[..., d, :][wrong][0].tolist()}; a "
             f"homogeneous matrix ends with {last_row.tolist()}. Is it transposed?"
         )
     _refuse_huge(X[..., :d, d], name)
@@ -120,12 +129,12 @@ def _refuse_non_poses(X, name):
     mirrored = np.linalg.det(R) < 0
     if off.max() > ORTHONORMAL_WITHIN or not mirrored.any():
         raise AmrError(
-            f"{name}{_first(off == off.max())} is not a pose: its {d}x{d} block is not a rotation "
-            f"matrix (R^T R differs from the identity by {off.max():.2g}, more than "
+            f"{name}{first_index(off == off.max())} is not a pose: its {d}x{d} block is not a "
+            f"rotation matrix (R^T R differs from the identity by {off.max():.2g}, more than "
             f"{ORTHONORMAL_WITHIN:g}). Scale, shear and rounded entries have to be removed first."
         )
     raise AmrError(
-        f"{name}{_first(mirrored)} is a reflection (determinant -1), not a rotation. "
+        f"{name}{first_index(mirrored)} is a reflection (determinant -1), not a rotation. "
         "One axis of the frame has the wrong sign."
     )
 
@@ -138,6 +147,23 @@ def in_blocks(x):
     """
     for start in range(0, len(x), BLOCK):
         yield np.ascontiguousarray(np.moveaxis(x[start : start + BLOCK], 0, -1))
+
+
+def blocks(n):
+    """Return slices of neighboring samples that fit the cache."""
+    return [slice(k, k + BLOCK) for k in range(0, n, BLOCK)]
+
+
+def lengths(rows):
+    """Return the lengths of vectors (d, n), also of those whose squares are no doubles."""
+    squares = np.einsum("kn,kn->n", rows, rows)
+    found = np.sqrt(squares, out=squares)
+    tiny = found < SMALLEST
+    if tiny.any():
+        largest = np.abs(rows[:, tiny]).max(axis=0)
+        scale = np.where(largest > 0, largest, 1)
+        found[tiny] = scale * np.sqrt(np.einsum("kn,kn->n", *2 * [rows[:, tiny] / scale]))
+    return found
 
 
 def as_position_pair(reference, estimate):
@@ -169,14 +195,41 @@ def as_positions(value, name):
     """Return (N, d) positions from positions or from poses (N, d+1, d+1)."""
     array = as_reals(value, name)
     if array.ndim == 3:
-        if array.shape[1:] not in ((3, 3), (4, 4)):
-            as_poses(array, name)  # says what is wrong
-        array = array[:, :-1, -1]
+        return _positions_of(array, name)
+    if _is_single_pose(array):
+        raise AmrError(
+            f"{name} is a single pose of shape {array.shape}; a trajectory of one has shape "
+            f"(1, {len(array)}, {len(array)}): {name}[None], or X[k : k + 1] in place of X[k]."
+        )
     array = _in_rows(array, name, (2, 3), "positions")
-    if not np.vdot(array, array) <= LARGEST**2:  # nor is NaN; one fast pass for both
-        _refuse_not_finite(array, name)
+    if not np.einsum("nk,nk->", array, array) <= LARGEST**2:  # nor is NaN; one pass for both
+        refuse_not_finite(array, name)
         _refuse_huge(array, name)
     return array
+
+
+def _is_single_pose(array):
+    """Say if a square array is one homogeneous matrix and not three positions in space.
+
+    The identity stays what it is to who writes np.eye(3): a point on each axis.
+    """
+    n = len(array) if array.ndim == 2 else 0
+    if n not in (3, 4) or array.shape != (n, n) or (array[-1] != np.eye(n)[-1]).any():
+        return False
+    return bool(_are_poses(array[:, :, None])) and (n == 4 or (array != np.eye(3)).any())
+
+
+def _positions_of(X, name):
+    """Return the positions of poses, which are checked on the way."""
+    if X.shape[1:] not in ((3, 3), (4, 4)) or not len(X):
+        as_poses(X, name)  # says what is wrong
+    positions = np.empty((len(X), X.shape[1] - 1))
+    with np.errstate(over="ignore", invalid="ignore"):
+        for block, rows in zip(blocks(len(X)), in_blocks(X), strict=True):
+            if not _are_poses(rows):
+                as_poses(X, name)
+            positions[block] = rows[:-1, -1].T
+    return positions
 
 
 def _refuse_huge(positions, name):
@@ -192,14 +245,21 @@ def _size(array):
 
 
 def as_stamps(value, name):
-    """Return `value` as an (N,) array of strictly increasing seconds, N >= 1."""
+    """Return `value` as an (N,) array of strictly increasing seconds, N >= 1.
+
+    A Trajectory brings its own.
+    """
+    if hasattr(value, "stamps"):
+        if value.stamps is None:
+            raise AmrError(f"{name}: this trajectory has no stamps. Read it with times=.")
+        return value.stamps
     array = as_reals(value, name)
     if array.ndim != 1:
         raise AmrError(f"{name} has shape {array.shape}; time stamps need shape (N,).")
-    _with_samples(array, name)
+    with_samples(array, name)
     forward = array[1:] > array[:-1]  # NaN is not, and infinity can only be first or last
     if not (forward.all() and np.isfinite(array[[0, -1]]).all()):
-        _refuse_not_finite(array, name)
+        refuse_not_finite(array, name)
         k = int(np.argmin(forward))
         what = "repeat" if array[k] == array[k + 1] else "go back in time"
         raise AmrError(
@@ -250,45 +310,15 @@ def as_array(value, name):
         raise AmrError(f"{name} is not an array: its rows have different lengths.") from None
 
 
-def _with_samples(array, name):
+def with_samples(array, name):
     if array.size == 0:
         raise AmrError(f"{name} is empty (shape {array.shape}); at least one sample is needed.")
     return array
 
 
-def _first(mask):
+def first_index(mask):
     """Index of the first True, written as in the code: "[3, 1]", or "" for a single value."""
     return str(np.argwhere(mask)[0].tolist()) if np.ndim(mask) else ""
-
-
-def as_forecasts(occupied, probability, unknown=None, weights=None):
-    """Return labels (bool), probabilities and weights (or None) of the known cells, flat.
-
-    The last item is the array of flat indices of those cells in the map.
-    """
-    labels = as_labels(occupied, "occupied")
-    p = as_cells(probability, "probability", unknown)
-    if p.shape != labels.shape:
-        raise AmrError(
-            f"occupied has shape {labels.shape} and probability {p.shape}; they must be equal, "
-            "cell by cell."
-        )
-    outside = (p < 0) | (p > 1)
-    if outside.any():
-        raise AmrError(
-            f"probability{_first(outside)} is {p[outside][0]:.6g}; probabilities lie in [0, 1]. "
-            "Log-odds are passed as logits to cross_entropy."
-        )
-    return known_cells(labels, p, unknown, weights)
-
-
-def as_cells(value, name, unknown):
-    """Return finite doubles, one per cell; what stands in unknown cells, often nan, becomes 0."""
-    array = as_reals(value, name)
-    if unknown is not None and np.shape(unknown) == array.shape:
-        array = np.where(as_labels(unknown, "unknown"), 0.0, array)
-    _refuse_not_finite(array, name)
-    return array
 
 
 def as_binary(value, name, meaning):
@@ -299,33 +329,7 @@ def as_binary(value, name, meaning):
     numbers = as_numbers(array, name)
     wrong = (numbers != 0) & (numbers != 1)
     if wrong.any():
-        raise AmrError(f"{name}{_first(wrong)} is {numbers[wrong][0]:.6g}; labels are {meaning}.")
+        raise AmrError(
+            f"{name}{first_index(wrong)} is {numbers[wrong][0]:.6g}; labels are {meaning}."
+        )
     return numbers == 1
-
-
-def as_labels(value, name):
-    """Return labels of cells as an array of booleans, at least one."""
-    meaning = "0 (free) or 1 (occupied). Mark unknown cells by `unknown`"
-    return _with_samples(as_binary(value, name, meaning), name)
-
-
-def known_cells(labels, p, unknown, weights):
-    if weights is not None:
-        weights = as_numbers(weights, "weights")
-        if weights.shape != labels.shape or weights.min() < 0:
-            raise AmrError(
-                f"weights have shape {weights.shape} and minimum {weights.min():g}; expected "
-                f"shape {labels.shape} and no negative weight."
-            )
-    cells = np.arange(labels.size)
-    if unknown is not None:
-        unknown = as_labels(unknown, "unknown")
-        if unknown.shape != labels.shape:
-            raise AmrError(f"unknown has shape {unknown.shape}; expected {labels.shape}.")
-        cells = np.flatnonzero(~unknown)
-        if not len(cells):
-            raise AmrError("every cell is unknown; a score needs at least one known cell.")
-    weights = None if weights is None else weights.ravel()[cells]
-    if weights is not None and weights.sum() == 0:
-        raise AmrError("the weights of the known cells are all 0; nothing is left to average.")
-    return labels.ravel()[cells], p.ravel()[cells], weights, cells
