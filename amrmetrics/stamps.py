@@ -1,10 +1,19 @@
 """Two recordings on two clocks: match their samples, interpolate, estimate the clock offset."""
 
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from amrmetrics._arguments import BLOCK, as_numbers, as_poses, as_stamps
+from amrmetrics._arguments import BLOCK, as_array, as_numbers, as_stamps
 from amrmetrics.errors import AmrError
 from amrmetrics.poses import inverse, planar_poses, rotation_angle
+from amrmetrics.recording import Trajectory, as_recording
+
+if TYPE_CHECKING:
+    from amrmetrics._types import Array, ArrayLike
 
 # Seconds over which a turn is measured: longer than noise, shorter than a robot's maneuver.
 SMOOTHING = 0.2
@@ -12,9 +21,17 @@ SMOOTHING = 0.2
 LONGEST = 4_000_000
 # Stamps matched at a time; one is a number where a pose is up to sixteen.
 STRETCH = 8 * BLOCK
+# A longer time between two samples is a gap: this many usual ones, and at least so many seconds.
+USUAL_GAPS = 10
+SHORTEST_GAP = 1.0
 
 
-def associate(reference_stamps, estimate_stamps, max_difference=0.01, offset=0.0):
+def associate(
+    reference_stamps: ArrayLike,
+    estimate_stamps: ArrayLike,
+    max_difference: float = 0.01,
+    offset: float = 0.0,
+) -> tuple[Array, Array]:
     """Match two lists of time stamps: each to its nearest, one-to-one, in order of time.
 
     Parameters
@@ -30,9 +47,10 @@ def associate(reference_stamps, estimate_stamps, max_difference=0.01, offset=0.0
     Returns
     -------
     i, j : (K,) arrays of int
-        Sample i[k] of the reference belongs to sample j[k] of the estimate. Each estimate
-        takes its nearest reference stamp (the earlier of two equally near); where several
-        take the same, the nearest of them keeps it.
+        Sample i[k] of the reference belongs to sample j[k] of the estimate, both in order of
+        time. Each estimate takes its nearest reference stamp (the earlier of two equally
+        near); where several take the same, the nearest of them keeps it, and the others look
+        among the stamps that are still free, until none of those is within reach.
 
     Raises
     ------
@@ -59,7 +77,24 @@ def associate(reference_stamps, estimate_stamps, max_difference=0.01, offset=0.0
     i, j = _match(t, u, offset, limit)
     if not len(j):
         raise AmrError(_no_match(t, u, offset, limit))
-    return i, j
+    return _with_the_rest(t, u, offset, limit, i, j)
+
+
+def _with_the_rest(t, u, offset, limit, i, j):
+    """Match also those that lost their nearest partner to a rival, as long as any can be."""
+    matched_i, matched_j = [i], [j]
+    free_t, free_u = np.ones(len(t), bool), np.ones(len(u), bool)
+    while len(j):
+        free_t[i], free_u[j] = False, False
+        rest_t, rest_u = np.flatnonzero(free_t), np.flatnonzero(free_u)
+        if not len(rest_t) or not len(rest_u):
+            break
+        i, j = _match(t[rest_t], u[rest_u], offset, limit)
+        i, j = rest_t[i], rest_u[j]
+        matched_i.append(i)
+        matched_j.append(j)
+    # Two matches that cross are exchanged, which brings no partners farther apart.
+    return np.sort(np.concatenate(matched_i)), np.sort(np.concatenate(matched_j))
 
 
 def _match(t, u, offset, limit):
@@ -109,12 +144,13 @@ def _no_match(t, u, offset, limit):
     i, j = _match(t, u, offset, np.inf)
     apart = np.abs(t[i] - u[j] - offset).min()
     if u[-1] + offset < t[0] or t[-1] < u[0] + offset:
+        start = float(t[0] - u[0])
         help_ = (
-            f"The ranges do not overlap: try offset={t[0] - u[0]:.6g} if both start together "
+            f"The ranges do not overlap: try offset={start!r} if both start together "
             "(clock_offset estimates it), and check that both are in seconds"
         )
     else:
-        help_ = f"Try max_difference={1.01 * apart:.2g} or more, or another offset"
+        help_ = f"Try max_difference={_rounded_up(apart)} or more, or another offset"
     gaps = [f"{np.median(np.diff(x)):.6g} s" if len(x) > 1 else "none" for x in (t, u)]
     return (
         f"no stamps match within max_difference={limit:g} s: the nearest two are {apart:.6g} s "
@@ -124,29 +160,44 @@ def _no_match(t, u, offset, limit):
     )
 
 
-def interpolate(stamps, X, new_stamps):
+def _rounded_up(x):
+    """Return a number of two digits that is not less than x, as text."""
+    digit = 10.0 ** (np.floor(np.log10(x)) - 1)
+    return f"{np.ceil(x / digit * (1 + 1e-9)) * digit:.2g}"
+
+
+def interpolate(
+    stamps: ArrayLike,
+    X: ArrayLike,
+    new_stamps: ArrayLike | None = None,
+    max_gap: float | None = None,
+) -> Array | Trajectory:
     """Interpolate a trajectory: positions along straight lines, rotations along geodesics.
 
     Parameters
     ----------
     stamps : (N,) array
-        Seconds, increasing.
+        Seconds, increasing. Or a Trajectory, followed by the new stamps.
     X : (N, d+1, d+1) array
         Poses, d = 2 or 3.
     new_stamps : (M,) array
         Seconds, increasing, from stamps[0] to stamps[-1].
+    max_gap : float, optional
+        Longest time in seconds between two samples that is bridged. By default ten times the
+        usual one and at least 1 s, which no continuous recording reaches.
 
     Returns
     -------
     (M, d+1, d+1) array
         Poses at the new stamps. Between two poses half a turn apart the shorter way is
-        not unique; one is taken.
+        not unique; one is taken. Of a Trajectory, a Trajectory: what lies in a gap is left out
+        of it and counted in its `repairs`.
 
     Raises
     ------
     AmrError
-        If a new stamp lies outside of the recording (nothing is extrapolated), or the
-        stamps are not increasing or not as many as the poses.
+        If a new stamp lies outside of the recording (nothing is extrapolated) or, given
+        arrays, in a gap; or the stamps are not increasing or not as many as the poses.
 
     References
     ----------
@@ -161,7 +212,10 @@ def interpolate(stamps, X, new_stamps):
     >>> am.positions(half).tolist(), np.degrees(am.yaw(half)).round(9).tolist()
     ([[1.0, 0.0]], [-180.0])
     """
-    stamps, X = _as_recording(stamps, X, "stamps", "X")
+    recording = stamps if isinstance(stamps, Trajectory) and new_stamps is None else None
+    if recording is not None:
+        X, new_stamps = None, X
+    stamps, X = as_recording(stamps, X, "stamps", "X")
     new = as_stamps(new_stamps, "new_stamps")
     if new[0] < stamps[0] or new[-1] > stamps[-1]:
         raise AmrError(
@@ -169,11 +223,61 @@ def interpolate(stamps, X, new_stamps):
             f"{stamps[0]:.6f} to {stamps[-1]:.6f} s. Nothing is extrapolated: drop the stamps "
             "outside."
         )
+    limit = as_gap(max_gap, stamps)
+    lost = in_gap(stamps, new, limit)
+    if recording is None:
+        if lost.any():
+            raise AmrError(_in_gaps(stamps, new, lost, limit))
+        return between_samples(stamps, X, new)
+    if lost.all():
+        raise AmrError(_in_gaps(stamps, new, lost, limit))
+    repairs = recording.repairs
+    if lost.any():
+        repairs = (*repairs, f"{lost.sum()} of {len(new)} stamps in gaps left out")
+    poses = between_samples(stamps, X, new[~lost])
+    return replace(recording, stamps=new[~lost], poses=poses, repairs=repairs, frames=None)
+
+
+def as_gap(max_gap, stamps):
+    """Return the longest gap that is bridged, in seconds."""
+    if max_gap is None:
+        usual = np.median(np.diff(stamps)) if len(stamps) > 1 else 0.0
+        return max(SHORTEST_GAP, USUAL_GAPS * float(usual))
+    limit = as_array(max_gap, "max_gap")
+    if limit.shape or limit.dtype.kind not in "fiu" or not limit > 0:
+        raise AmrError(f"max_gap is {max_gap!r}; expected a number of seconds, > 0.")
+    return float(limit)
+
+
+def in_gap(stamps, new, limit):
+    """Say which new stamps lie between two samples that are farther apart than the limit."""
+    if len(stamps) == 1:
+        return np.zeros(len(new), bool)
+    k = np.clip(np.searchsorted(stamps, new, side="right") - 1, 0, len(stamps) - 2)
+    wide = stamps[k + 1] - stamps[k] > limit
+    return wide & (new != stamps[k]) & (new != stamps[k + 1])
+
+
+def _in_gaps(stamps, new, lost, limit):
+    first = int(lost.argmax())
+    k = int(np.searchsorted(stamps, new[first])) - 1
+    return (
+        f"{lost.sum()} of {len(new)} new_stamps lie where the recording has a gap of more than "
+        f"max_gap={limit:g} s, first between {stamps[k]:.6f} and {stamps[k + 1]:.6f} s; what "
+        "happened there is not known. Leave them out, as match(interpolate=True) does, or give a "
+        "larger max_gap."
+    )
+
+
+def between_samples(stamps, X, new):
+    """Return interpolated poses at stamps inside the recording."""
     d = X.shape[-1] - 1
     k = np.clip(np.searchsorted(stamps, new, side="right") - 1, 0, max(len(stamps) - 2, 0))
     after = np.minimum(k + 1, len(stamps) - 1)
     duration = np.where(after > k, stamps[after] - stamps[k], 1.0)
     part = (new - stamps[k]) / duration
+    if X.ndim == 2:
+        return X[k] + part[:, None] * (X[after] - X[k])
     turn = inverse(X[k]) @ X[after]
     if d == 2:
         angle = part * np.arctan2(turn[:, 1, 0], turn[:, 0, 0])
@@ -189,33 +293,41 @@ def interpolate(stamps, X, new_stamps):
     return Y
 
 
-def clock_offset(reference_stamps, X, estimate_stamps, Xh):
+def clock_offset(
+    reference_stamps: ArrayLike,
+    X: ArrayLike,
+    estimate_stamps: ArrayLike | None = None,
+    Xh: ArrayLike | None = None,
+) -> ClockOffset:
     """Estimate how far the estimate's clock lags, from the two angular speeds.
 
     Parameters
     ----------
     reference_stamps, estimate_stamps : (N,), (M,) array
-        Seconds on the two clocks, increasing, at least four each.
+        Seconds on the two clocks, increasing, at least four each. Two Trajectories alone,
+        reference and estimate, have all four.
     X, Xh : (N, d+1, d+1), (M, d+1, d+1) array
         Poses, d = 2 or 3, of two frames on one rigid body. World frames may differ.
 
     Returns
     -------
-    float
-        Seconds to add to the estimate's stamps (the `offset` of `associate`).
+    ClockOffset
+        Seconds to add to the estimate's stamps (the `offset` of `associate`), a float. Its
+        `standard_error` says what it is worth: with key frames it may be tenths of a second.
 
     Raises
     ------
     AmrError
         If no offset can be told from another, because the angular speed does not vary or
-        the motion repeats itself; if the two agree at none (correlation below 0.71); or if
-        the input is malformed.
+        the motion repeats itself; if the two agree at none (correlation below 0.71), as of
+        key frames too far apart for the turns between them; or if the input is malformed.
 
     References
     ----------
     Lecture 01: the peak of the cross-correlation, refined by the least-squares step
     sum(w' (w_est - w_ref)) / sum(w'^2). Rehder et al., A general approach to
-    spatiotemporal calibration, IEEE T-RO 32 (2016), sec. VI, initializes the same way.
+    spatiotemporal calibration, IEEE T-RO 32 (2016), sec. VI, initializes the same way. The
+    standard error allows for correlation in time as Newey and West, Econometrica 55 (1987).
 
     Examples
     --------
@@ -226,8 +338,10 @@ def clock_offset(reference_stamps, X, estimate_stamps, Xh):
     >>> round(am.clock_offset(t, X, t - 0.35, X), 3)
     0.35
     """
-    t, X = _as_recording(reference_stamps, X, "reference_stamps", "X")
-    u, Y = _as_recording(estimate_stamps, Xh, "estimate_stamps", "Xh")
+    if estimate_stamps is None:
+        reference_stamps, X, estimate_stamps, Xh = reference_stamps, None, X, None
+    t, X = as_recording(reference_stamps, X, "reference_stamps", "X")
+    u, Y = as_recording(estimate_stamps, Xh, "estimate_stamps", "Xh")
     if X.shape[1] != Y.shape[1]:
         raise AmrError("one of X and Xh is 2-D, the other 3-D; project the spatial one first.")
     if min(len(t), len(u)) < 4:
@@ -244,13 +358,14 @@ def clock_offset(reference_stamps, X, estimate_stamps, Xh):
                 "well. Record a motion that turns now faster, now slower."
             )
     step = max(step, np.ptp(t) / LONGEST, np.ptp(u) / LONGEST)
-    lag = _coarse_lag(_resample(t, w, step), _resample(u, v, step), stretch / step)
+    lag = _coarse_lag(_resample(t, w, step), _resample(u, v, step), stretch / step, slower)
     offset = float(t[0] - u[0] + lag * step)
-    return _refined(offset, t, w, u, v, stretch)
+    offset, error = _refined(offset, t, w, u, v, stretch)
+    return ClockOffset(offset, error)
 
 
 def _refined(offset, t, w, u, v, stretch):
-    """Repeat the least-squares step from a coarse offset."""
+    """Repeat the least-squares step from a coarse offset; return it and its standard error."""
     for _ in range(20):
         at = u + offset
         inside = (at >= t[0]) & (at <= t[-1])
@@ -259,13 +374,41 @@ def _refined(offset, t, w, u, v, stretch):
         slope = np.interp(at + stretch / 2, t, w) - np.interp(at - stretch / 2, t, w)
         slope /= stretch
         squares = slope @ slope
-        change = float(slope @ (v[inside] - np.interp(at, t, w)) / squares) if squares else 0.0
+        rest = v[inside] - np.interp(at, t, w)
+        change = float(slope @ rest / squares) if squares else 0.0
         if abs(change) > stretch:
             break
         offset += change
         if abs(change) < 1e-12:
             break
-    return offset
+    # Stretches overlap, so that what is left of neighbors is alike.
+    pull = slope * (rest - change * slope)
+    lags = min(len(pull) - 1, 4 * int(np.ceil(stretch / np.median(np.diff(u)))))
+    weights = 2 * (1 - np.arange(1, lags + 1) / (lags + 1))
+    products = [pull[k:] @ pull[:-k] for k in range(1, lags + 1)]
+    total = pull @ pull + weights @ products
+    return offset, float(np.sqrt(total) / squares)
+
+
+class ClockOffset(float):
+    """Seconds to add to the estimate's stamps: a float that knows its standard error.
+
+    Attributes
+    ----------
+    standard_error : float
+        Seconds, one standard deviation.
+    """
+
+    def __new__(cls, seconds, standard_error):
+        offset = super().__new__(cls, seconds)
+        offset.standard_error = standard_error
+        return offset
+
+    def __getnewargs__(self):
+        return float(self), self.standard_error
+
+    def __repr__(self):
+        return f"{float(self):.6g} s, standard error {self.standard_error:.2g} s"
 
 
 def _angular_speed(stamps, X, stretch):
@@ -286,7 +429,7 @@ def _resample(stamps, values, step):
     return resampled - resampled.mean()
 
 
-def _coarse_lag(w, v, width):
+def _coarse_lag(w, v, width, slower):
     """Return the shift of `v`, in steps, at which the two agree best by far."""
     from scipy.signal import correlate
 
@@ -302,7 +445,8 @@ def _coarse_lag(w, v, width):
     if match[best] ** 2 < 0.5:
         raise AmrError(
             f"the angular speeds of X and Xh agree at no offset (correlation {match[best]:.2f} at "
-            "best). Are they one motion, recorded at the same time, and is enough of it turning?"
+            "best). Are they one motion, recorded at the same time, and is enough of it turning? "
+            f"One of them has a pose every {slower:.2g} s, which must be short against the turns."
         )
     if (np.diff(np.flatnonzero(match > 0.99 * match[best])) > width).any():
         raise AmrError(
@@ -310,16 +454,6 @@ def _coarse_lag(w, v, width):
             "motion that turns irregularly."
         )
     return best - (len(v) - 1)
-
-
-def _as_recording(stamps, X, stamps_name, name):
-    stamps, X = as_stamps(stamps, stamps_name), as_poses(X, name)
-    if len(stamps) != len(X):
-        raise AmrError(
-            f"{stamps_name} has {len(stamps)} entries and {name} has {len(X)} poses; each pose "
-            "needs one stamp."
-        )
-    return stamps, X
 
 
 def _as_seconds(value, name):

@@ -20,13 +20,23 @@ TICKS = st.integers(0, 30).map(lambda ticks: ticks / 1024)
 
 def plain_associate(t, u, limit, offset):
     """Return the matches by the definition, looking at every pair."""
-    chosen = {}
-    for j, stamp in enumerate(u):
-        gaps = [abs(x - (stamp + offset)) for x in t]
-        i = gaps.index(min(gaps))
-        if gaps[i] <= limit and (i not in chosen or gaps[i] < chosen[i][0]):
-            chosen[i] = gaps[i], j
-    return [(i, j) for i, (_, j) in sorted(chosen.items())]
+    free_t, free_u, found = {*range(len(t))}, {*range(len(u))}, []
+    while True:
+        chosen = {}
+        for j in sorted(free_u):
+            gaps = {i: abs(t[i] - (u[j] + offset)) for i in sorted(free_t)}
+            i = min(gaps, key=gaps.get, default=None)
+            if i is None or gaps[i] > limit:
+                continue
+            if i not in chosen or gaps[i] < chosen[i][0]:
+                chosen[i] = gaps[i], j
+        if not chosen:
+            break
+        found += [(i, j) for i, (_, j) in chosen.items()]
+        free_t -= {*chosen}
+        free_u -= {j for _, j in chosen.values()}
+    pairs = sorted(i for i, _ in found), sorted(j for _, j in found)
+    return list(zip(*pairs, strict=True))
 
 
 class TestAssociate:
@@ -43,11 +53,25 @@ class TestAssociate:
 
     @given(STAMPS, STAMPS)
     def test_is_one_to_one_in_time_order_and_within_the_limit(self, t, u):
-        i, j = am.associate(t, u, 1.0)
+        limit = 9 / 1024
+        assume(np.abs(t[:, None] - u).min() <= limit)
+        i, j = am.associate(t, u, limit)
         assert (np.diff(i) > 0).all()
         assert (np.diff(j) > 0).all()
         assert i.dtype == j.dtype == int
-        assert np.abs(t[i] - u[j]).max() <= 1.0
+        assert np.abs(t[i] - u[j]).max() <= limit
+
+    @given(STAMPS, STAMPS, TICKS)
+    def test_leaves_no_free_neighbor_unused(self, t, u, limit):
+        assume(np.abs(t[:, None] - u).min() <= limit)
+        i, j = am.associate(t, u, limit)
+        free_t, free_u = np.delete(t, i), np.delete(u, j)
+        assert not free_t.size or not free_u.size or np.abs(free_t[:, None] - free_u).min() > limit
+
+    def test_jitter_costs_no_matches(self, rng):
+        t = np.arange(100_000) * 0.01
+        u = np.sort(t + rng.normal(0, 0.002, len(t)))
+        assert len(am.associate(t, u, 0.01)[0]) > 99_900
 
     @given(STAMPS, STAMPS)
     def test_is_symmetric_where_no_stamp_has_two_partners_in_reach(self, t, u):
