@@ -4,14 +4,31 @@
 free, p the reference and q the estimate. Lecture 02 derives every line.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from amrmetrics._arguments import as_poses, as_position_pair, as_positions
+from amrmetrics._arguments import (
+    BLOCK,
+    as_count,
+    as_pose_pair,
+    as_poses,
+    as_position_pair,
+    as_positions,
+    blocks,
+    lengths,
+)
+from amrmetrics._results import Result
 from amrmetrics.errors import AmrError, DegenerateAlignmentError
+from amrmetrics.poses import angle_of
 
-MODES = ("rigid", "similarity", "yaw", "none")
+if TYPE_CHECKING:
+    from amrmetrics._types import ArrayLike
+
+MODES = ("rigid", "similarity", "yaw", "origin", "none")
 
 # A rotation is refused when turning it changes the match by less than this part of
 # the whole: a millimeter sideways on a hundred meters.
@@ -19,10 +36,12 @@ UNDETERMINED = 1e-10
 # A path with less sideways motion than this part of the whole (squared lengths) is nearly
 # straight; its sideways motions must agree better than two noises do by chance.
 NEARLY_STRAIGHT = 1e-3
+# Samples whose mean stands for that of all, to center by.
+SOME = 1000
 
 
-@dataclass(frozen=True, eq=False)
-class Alignment:
+@dataclass(frozen=True, eq=False, repr=False)
+class Alignment(Result):
     """The transformation that `align` found: p is close to scale * rotation @ q + translation.
 
     Attributes
@@ -36,9 +55,9 @@ class Alignment:
     residual : float
         What is left: the sum of squared distances, square meters.
     mode : str
-        "rigid", "similarity", "yaw" or "none".
+        "rigid", "similarity", "yaw", "origin" or "none".
     n : int
-        Number of positions.
+        Number of positions that it was found from.
     """
 
     rotation: np.ndarray
@@ -54,11 +73,7 @@ class Alignment:
         R = self.rotation
         if len(R) == 2 or self.mode == "yaw":
             return float(np.arctan2(R[1, 0], R[0, 0]))
-        from amrmetrics.poses import rotation_angle
-
-        X = np.eye(4)
-        X[:3, :3] = R
-        return rotation_angle(X)
+        return float(angle_of(R))
 
     @property
     def rmse(self):
@@ -89,20 +104,16 @@ class Alignment:
         q = as_positions(moved, "estimate")
         if q.shape[1] != d:
             raise AmrError(f"estimate is {q.shape[1]}-D, but the alignment was made in {d}-D.")
-        aligned = self.scale * q @ self.rotation.T + self.translation
+        aligned = np.einsum("ij,nj->ni", self.scale * self.rotation, q) + self.translation
         if not poses:
             return aligned
-        moved[:, :d, :d] = self.rotation @ moved[:, :d, :d]
+        moved[:, :d, :d] = np.einsum("ij,njk->nik", self.rotation, moved[:, :d, :d])
         moved[:, :d, d] = aligned
         return moved
 
     def __repr__(self):
         rows = ", ".join(f"{name}={text}" for name, text in self._rows()[1:])
         return f"Alignment({self._rows()[0][1]}, {rows})"
-
-    def _repr_html_(self):
-        rows = "".join(f"<tr><th>{name}</th><td>{text}</td></tr>" for name, text in self._rows())
-        return f"<table>{rows}</table>"
 
     def _rows(self):
         t = ", ".join(f"{x:.6g}" for x in self.translation)
@@ -116,7 +127,9 @@ class Alignment:
         ]
 
 
-def align(reference, estimate, mode="rigid"):
+def align(
+    reference: ArrayLike, estimate: ArrayLike, mode: str = "rigid", first: int | None = None
+) -> Alignment:
     """Find the transformation that brings the estimate closest to the reference.
 
     Parameters
@@ -124,10 +137,13 @@ def align(reference, estimate, mode="rigid"):
     reference, estimate : (N, d) or (N, d+1, d+1) array
         Positions or poses in meters, d = 2 or 3; sample k of one belongs to sample
         k of the other. Only positions are used.
-    mode : {"rigid", "similarity", "yaw", "none"}
+    mode : {"rigid", "similarity", "yaw", "origin", "none"}
         What is free: rotation and translation; these and a scale (for a monocular
         camera); translation and the rotation about the vertical z axis (for an
-        estimate that knows gravity); nothing. In the plane "yaw" is "rigid".
+        estimate that knows gravity); nothing, but the first poses are laid on each other;
+        nothing. In the plane "yaw" is "rigid".
+    first : int, optional
+        How many of the first positions to use; all of them by default.
 
     Returns
     -------
@@ -160,25 +176,50 @@ def align(reference, estimate, mode="rigid"):
     >>> np.allclose(a.apply(estimate), truth)
     True
     """
-    return fit(*as_position_pair(reference, estimate), mode)[0]
+    p, q = as_position_pair(reference, estimate)
+    return fit(p, q, mode, first, first_poses(reference, estimate, mode))[0]
 
 
-def fit(p, q, mode):
-    """Return the Alignment of (N, d) positions and the (N,) squared distances that it leaves."""
+def first_poses(reference, estimate, mode):
+    """Return the first poses if the mode is "origin", which is what it lays on each other."""
+    if mode != "origin":
+        return None
+    X, Y = as_pose_pair(reference, estimate)
+    return X[0], Y[0]
+
+
+def fit(p, q, mode, first=None, origin=None):
+    """Return the Alignment of (N, d) positions and the (N,) distances that it leaves.
+
+    Only the `first` ones are used to find it, all of them by default; `origin` has the first
+    poses for the mode of this name. Positions are worked on in blocks that stay in the
+    processor's cache, without BLAS, whose threads wait for each other on a busy machine.
+    """
     if mode not in MODES:
         raise AmrError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}.")
     n, d = p.shape
-    if mode == "none":
-        squares = _squares((p - q).T)
-        return Alignment(np.eye(d), np.zeros(d), 1.0, float(squares.sum()), mode, n), squares
-    centered = np.empty((2, d, n))  # one piece of memory is had faster than two
-    p_mean, q_mean = _center(p, centered[0]), _center(q, centered[1])
-    p, q = centered
-    p_squares, q_squares = map(_sum_of_squares, centered)
+    used = n if first is None else min(n, as_count(first, "first"))
+    R, t, scale = np.eye(d), np.zeros(d), 1.0
+    if mode == "origin":
+        X, Y = origin
+        R = X[:d, :d] @ Y[:d, :d].T
+        t = X[:d, d] - R @ Y[:d, d]
+    elif mode != "none":
+        R, t, scale = _find(p[:used], q[:used], mode)
+    distances = np.empty(n)
+    for block, P, Q in _blocks_of(p, q, t, np.zeros(d)):
+        P -= np.einsum("ij,jn->in", scale * R, Q)
+        distances[block] = lengths(P)
+    residual = float(np.einsum("n,n->", distances[:used], distances[:used]))
+    return Alignment(R, t, scale, residual, mode, used), distances
+
+
+def _find(p, q, mode):
+    """Return rotation, translation and scale that bring q closest to p."""
+    n, d = p.shape
+    p_mean, q_mean, p_squares, q_squares, K = _moments(p, q)
     _refuse_point("reference", p_mean, p_squares, n)
     _refuse_point("estimate", q_mean, q_squares, n)
-
-    K = p @ q.T
     if d == 2 or mode == "yaw":
         R = np.eye(d)
         R[:2, :2], free = _planar_rotation(K)
@@ -187,14 +228,38 @@ def fit(p, q, mode):
         R, axis, free = _rotation(K)
     whole = np.sqrt(p_squares * q_squares)
     if free < NEARLY_STRAIGHT * whole:
-        _refuse_undetermined(p, q, R, axis, free, whole, mode)
+        centered = (p - p_mean).T, (q - q_mean).T
+        _refuse_undetermined(*centered, R, axis, free, whole, mode)
 
     # Umeyama's trace(D S) equals trace(R^T K): the part of K that the rotation captures.
-    scale = float(np.vdot(R, K) / q_squares) if mode == "similarity" else 1.0
-    p -= (scale * R) @ q
-    squares = _squares(p)
-    found = Alignment(R, p_mean - scale * R @ q_mean, scale, float(squares.sum()), mode, n)
-    return found, squares
+    scale = float((R * K).sum() / q_squares) if mode == "similarity" else 1.0
+    return R, p_mean - scale * R @ q_mean, scale
+
+
+def _moments(p, q):
+    """Return the means, the sums of squares about them and K = sum (p - mean)(q - mean)^T."""
+    n, d = p.shape
+    # About a point near the mean no digits are lost, not even at map coordinates of 5e6 m.
+    some = slice(None, None, max(1, n // SOME))
+    near = [x[some][0] + (x[some] - x[some][0]).mean(axis=0) for x in (p, q)]
+    sums, squares, K = np.zeros((2, d)), np.zeros(2), np.zeros((d, d))
+    for _, P, Q in _blocks_of(p, q, *near):
+        sums += P.sum(axis=1), Q.sum(axis=1)
+        squares += _sum_of_squares(P), _sum_of_squares(Q)
+        K += np.einsum("in,jn->ij", P, Q)
+    rest = sums / n
+    squares = np.maximum(squares - n * (rest**2).sum(axis=1), 0)
+    return *(near + rest), *squares, K - n * np.outer(*rest)
+
+
+def _blocks_of(p, q, p_center, q_center):
+    """Yield slices of samples with the positions p and q in them, centered, as rows."""
+    buffer = np.empty((2, p.shape[1], min(len(p), BLOCK)))
+    for block in blocks(len(p)):
+        P, Q = rows = buffer[:, :, : len(p[block])]
+        np.subtract(p[block].T, p_center[:, None], out=P)
+        np.subtract(q[block].T, q_center[:, None], out=Q)
+        yield block, *rows
 
 
 def _planar_rotation(K):
@@ -219,25 +284,8 @@ def _rotation(K):
     return U @ Vt, U[:, 0], sigma[-2] + sign * sigma[-1]
 
 
-def _center(x, centered):
-    """Write (N, d) positions without their mean to the (d, N) array, and return the mean."""
-    centered[:] = x.T
-    mean = centered.mean(axis=1)
-    centered -= mean[:, None]
-    # Far from the origin, as map coordinates of 5e6 m are, the mean has lost digits: once more.
-    if np.abs(mean).max() > 1e3 * np.abs(x[0] - mean).max():
-        rest = centered.mean(axis=1)
-        centered -= rest[:, None]
-        mean += rest
-    return mean
-
-
-def _squares(x):
-    return np.einsum("kn,kn->n", x, x)
-
-
 def _sum_of_squares(x):
-    return float(np.vdot(x, x))
+    return float(np.einsum("kn,kn->", x, x))
 
 
 def _refuse_point(name, mean, squares, n):

@@ -8,11 +8,20 @@ place where the relative metrics get their speed.
 
 import numpy as np
 
-from amrmetrics._arguments import BLOCK, as_numbers, as_stamps
+from amrmetrics._arguments import as_numbers, as_stamps, blocks, lengths
 from amrmetrics.errors import AmrError
 from amrmetrics.poses import angle_of
 
-UNITS = ("frames", "metres", "seconds", "degrees")
+UNITS = {
+    "frames": "frames",
+    "m": "m",
+    "metres": "m",
+    "meters": "m",
+    "s": "s",
+    "seconds": "s",
+    "deg": "deg",
+    "degrees": "deg",
+}
 TOLERANCE = 0.1
 # A hair, so that ten steps of 0.1 are one whole in floating point, too.
 ROUNDING = 1e-9
@@ -20,25 +29,31 @@ ROUNDING = 1e-9
 
 def find_pairs(X, delta, unit, pairs, stamps):
     """Return the pairs (2, M), what each spans, and how many were left out, for `rpe`."""
+    unit = as_unit(unit)
     delta = _as_delta(delta, unit, pairs)
     if unit == "frames":
         return _frames_apart(len(X), int(delta), pairs)
-    if unit == "degrees" and pairs == "all":
+    if unit == "deg" and pairs == "all":
         return _degrees_apart(X, delta)
     measure = _measure(X, unit, stamps)
-    found = np.array((_chain if pairs == "consecutive" else _nearest)(measure, delta))
+    found = np.array((_chain if pairs == "consecutive" else _nearest)(measure, delta), dtype=int)
     lengths = np.diff(measure[found], axis=0)[0]
     # A sum of single turns overshoots by up to one of them, and nothing better is there.
-    tolerance = np.inf if unit == "degrees" else TOLERANCE + ROUNDING
+    tolerance = np.inf if unit == "deg" else TOLERANCE + ROUNDING
     kept = np.abs(lengths - delta) <= tolerance * delta
     if not kept.any():
         raise AmrError(_no_pairs(measure, delta, unit))
     return found[:, kept], lengths[kept], int(len(kept) - kept.sum())
 
 
-def _as_delta(delta, unit, pairs):
+def as_unit(unit):
+    """Return the unit of delta: "frames", "m", "s" or "deg"."""
     if unit not in UNITS:
         raise AmrError(f"unit is {unit!r}; expected one of {', '.join(map(repr, UNITS))}.")
+    return UNITS[unit]
+
+
+def _as_delta(delta, unit, pairs):
     if pairs not in ("all", "consecutive"):
         raise AmrError(f"pairs is {pairs!r}; expected 'all' or 'consecutive'.")
     delta = as_numbers(delta, "delta")
@@ -46,8 +61,8 @@ def _as_delta(delta, unit, pairs):
         raise AmrError(f"delta is {delta}; expected one number of {unit}, greater than 0.")
     if unit == "frames" and delta != np.floor(delta):
         raise AmrError(f"delta is {delta} frames; expected a whole number.")
-    if unit == "degrees" and delta > 180:
-        raise AmrError(f"delta is {delta} degrees; a rotation angle is at most 180 degrees.")
+    if unit == "deg" and delta > 180:
+        raise AmrError(f"delta is {delta} deg; a rotation angle is at most 180 degrees.")
     return float(delta)
 
 
@@ -75,13 +90,13 @@ def _degrees_apart(X, delta):
 
 def _measure(X, unit, stamps):
     """Return what grows along the reference: meters, seconds or degrees turned."""
-    if unit == "metres":
+    if unit == "m":
         return travelled(X)
-    if unit == "degrees":
+    if unit == "deg":
         i = np.arange(len(X) - 1)
         return np.concatenate([[0], np.degrees(_turns(X, i, i + 1)).cumsum()])
     if stamps is None:
-        raise AmrError("stamps are missing; unit='seconds' needs the time of each sample.")
+        raise AmrError("stamps are missing; unit='s' needs the time of each sample.")
     stamps = as_stamps(stamps, "stamps")
     if len(stamps) != len(X):
         raise AmrError(f"stamps has {len(stamps)} entries for {len(X)} poses; one each is needed.")
@@ -89,10 +104,14 @@ def _measure(X, unit, stamps):
 
 
 def _nearest(measure, delta):
-    """Return for each i the j whose distance is nearest to delta, the first of equals."""
-    j = np.searchsorted((measure[1:] + measure[:-1]) / 2, measure[:-1] + delta)
+    """Return for each i the j whose distance is nearest to delta, the first of equals.
+
+    Samples from which the recording does not reach delta any more begin no pair.
+    """
+    i = np.flatnonzero(measure[-1] - measure >= delta * (1 - ROUNDING))
+    j = np.searchsorted((measure[1:] + measure[:-1]) / 2, measure[i] + delta)
     # Equals are samples where the robot stands still. A j before i comes out as too short.
-    return np.arange(len(j)), np.searchsorted(measure, measure[j])
+    return i, np.searchsorted(measure, measure[j])
 
 
 def _chain(measure, delta):
@@ -117,7 +136,7 @@ def _no_pairs(measure, delta, unit):
 
 def travelled(X):
     """Return the length of the reference's path up to each sample, meters."""
-    return np.concatenate([[0], norm(np.diff(X[:, :-1, -1].T)).cumsum()])
+    return np.concatenate([[0], lengths(np.diff(X[:, :-1, -1].T)).cumsum()])
 
 
 def pair_errors(X, Y, i, j):
@@ -127,9 +146,9 @@ def pair_errors(X, Y, i, j):
     as long as the difference of theirs, and it turns by the angle between their rotations.
     """
     translation, rotation = np.empty(len(i)), np.empty(len(i))
-    for block in _blocks(len(i)):
+    for block in blocks(len(i)):
         (A, a), (B, b) = (_motions(P, Q) for P, Q in _columns_of_pairs((X, Y), i[block], j[block]))
-        translation[block] = norm(a - b)
+        translation[block] = lengths(a - b)
         rotation[block] = _angle_between(A, B)
     return translation, rotation
 
@@ -137,7 +156,7 @@ def pair_errors(X, Y, i, j):
 def orientation_errors(X, Y, R):
     """Return the angles between the rotations of X and R times those of Y."""
     angles = np.empty(len(X))
-    for block in _blocks(len(X)):
+    for block in blocks(len(X)):
         A, B = (_columns(Z, block)[:-1] for Z in (X, Y))
         angles[block] = _angle_between(A, np.einsum("ij,kjn->kin", R, B))
     return angles
@@ -146,7 +165,7 @@ def orientation_errors(X, Y, R):
 def _turns(X, i, j):
     """Return the angles between the orientations i and j of X, radians."""
     turns = np.empty(len(i))
-    for block in _blocks(len(i)):
+    for block in blocks(len(i)):
         ((P, Q),) = _columns_of_pairs([X], i[block], j[block])
         turns[block] = _angle_between(P[:-1], Q[:-1])
     return turns
@@ -196,16 +215,6 @@ def _as_slice(k):
     return slice(k[0], k[-1] + 1) if (np.diff(k) == 1).all() else k
 
 
-def _blocks(n):
-    return [slice(k, k + BLOCK) for k in range(0, n, BLOCK)]
-
-
 def _distance(A, B):
     """Return ||A - B|| (Frobenius) of matrices (d, d, n)."""
-    return norm((A - B).reshape(len(A) ** 2, -1))
-
-
-def norm(rows):
-    """Return the lengths of vectors (d, n)."""
-    squares = np.einsum("kn,kn->n", rows, rows)
-    return np.sqrt(squares, out=squares)
+    return lengths((A - B).reshape(len(A) ** 2, -1))
