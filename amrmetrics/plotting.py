@@ -412,3 +412,112 @@ def point_maps(ax, reference, estimate, worst=None):
     # Walls are everywhere: the legend goes below, clear of the label.
     below = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "borderaxespad": 3.4}
     ax.legend(**below, ncols=3, columnspacing=1, handletextpad=0.6, markerscale=2)
+
+
+def error_plan(ax, reference, estimate, error, unit="m"):
+    """Draw an aligned estimate from above, its error as color, and the reference below it.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    reference, estimate : (N, d) array
+        Positions in meters, in one frame.
+    error : (N,) array
+        One for each position, such as the `series` of an ATE.
+    unit : str
+        Of the error.
+    """
+    reference, estimate = np.asarray(reference), np.asarray(estimate)
+    ax.plot(*reference.T[:2], **LOOK["truth"] | {"linewidth": 1, "color": "0.6"})
+    # Dark is large: it reads in gray, and on white paper.
+    dots = ax.scatter(*estimate.T[:2], c=error, s=6, cmap="viridis_r", zorder=3)
+    ax.figure.colorbar(dots, ax=ax, label=f"error [{unit}]", shrink=0.8)
+    ax.plot(*estimate[0, :2], **LOOK["measured"] | {"label": "start", "zorder": 4})
+    ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+    ax.legend(fontsize=9, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
+
+
+def error_series(ax, summary, along=None, label="time [s]"):
+    """Draw the errors of an ErrorSummary one after the other, with rmse and median.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    summary : amrmetrics.ErrorSummary
+        Of an ATE or a part of an RPE; angles are drawn in degrees.
+    along : (n,) array, optional
+        Where each error belongs, such as its stamp or its distance along the path; the number
+        of the sample if not given.
+    label : str
+        What `along` is, with its unit.
+    """
+    factor, unit = (np.degrees(1), "deg") if summary.unit == "rad" else (1.0, summary.unit)
+    label = "sample" if along is None else label
+    along = np.arange(summary.n) if along is None else np.asarray(along)
+    ax.plot(along, factor * summary.series, **LOOK["error"] | {"linewidth": 1})
+    rmse, median = factor * summary.rmse, factor * summary.median
+    ax.axhline(rmse, color=BLUE, linestyle="--", label=f"rmse {rmse:.3g} {unit}")
+    ax.axhline(median, color=GREEN, linestyle="-.", label=f"median {median:.3g} {unit}")
+    ax.set(xlabel=label, ylabel=f"{summary.metric} {summary.quantity} [{unit}]", ylim=(0, None))
+    ax.legend(fontsize=9, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3)
+
+
+def error_histogram(ax, summary):
+    """Draw how often which error of an ErrorSummary occurs, with its rmse and P95.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    summary : amrmetrics.ErrorSummary
+        Of an ATE or a part of an RPE; angles are drawn in degrees.
+    """
+    factor, unit = (np.degrees(1), "deg") if summary.unit == "rad" else (1.0, summary.unit)
+    bins = int(np.clip(np.sqrt(summary.n), 5, 60))
+    ax.hist(factor * summary.series, bins=bins, color=SKY, edgecolor="white", linewidth=0.4)
+    for name, color, style in (("rmse", BLUE, "--"), ("p95", RED, ":")):
+        value = factor * getattr(summary, name)
+        text = f"{'P95' if name == 'p95' else name} {value:.3g} {unit}"
+        ax.axvline(value, color=color, linestyle=style, label=text)
+    ax.set(xlabel=f"{summary.metric} {summary.quantity} [{unit}]", ylabel="samples")
+    ax.legend(fontsize=9, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
+
+
+def relative_errors(ax, deltas, translation, unit="m"):
+    """Draw the RPE over the length of the stretch, both logarithmic.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    deltas : (K,) array
+        Lengths of the stretches, > 0.
+    translation : (K,) array
+        Root mean square of the translation error for each, meters.
+    unit : str
+        Of the stretches.
+    """
+    ax.loglog(deltas, translation, **LOOK["measured"] | {"linestyle": "-"})
+    ax.set(xlabel=f"length of the stretch [{unit}]", ylabel="RPE translation rmse [m]")
+
+
+def coverage(ax, match):
+    """Draw when a match has pairs, as a bar over the time of the reference.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    match : amrmetrics.Match
+        With stamps; time counts from its first pair.
+    """
+    stamps = match.reference.stamps
+    t = stamps - stamps[0]
+    steps = np.diff(t)
+    usual = np.median(steps) if len(steps) else 0.0
+    breaks = np.flatnonzero(steps > 5 * usual) + 1
+    for part in np.split(t, breaks):
+        ax.barh(0, max(part[-1] - part[0], usual), left=part[0], color=BLUE, height=0.5)
+    ax.set(xlabel="time [s]", yticks=[], ylim=(-0.6, 0.6), title=repr(match.coverage))

@@ -308,3 +308,51 @@ class TestPointMaps:
     def test_without_worst_pair(self, ax):
         plotting.point_maps(ax, [[0, 0]], np.empty((0, 2)))
         assert len(ax.get_lines()) == 2
+
+
+class TestErrors:
+    """What a report draws, each alone in a pair of axes."""
+
+    ERROR = am.ate([[0, 0]] * 4, [[0, 0], [3, 4], [0, 10], [0, 5]], align="none")
+
+    def test_series_over_samples_and_over_time(self, ax):
+        plotting.error_series(ax, self.ERROR)
+        line = ax.lines[0]
+        assert line.get_xdata().tolist() == [0, 1, 2, 3]
+        assert line.get_ydata().tolist() == [0, 5, 10, 5]
+        labels = [text.get_text() for text in ax.get_legend().get_texts()]
+        assert labels == ["error", "rmse 6.12 m", "median 5 m"]
+        plotting.error_series(ax, self.ERROR, [0, 2, 4, 9], "distance [m]")
+        assert ax.lines[3].get_xdata().tolist() == [0, 2, 4, 9]
+        assert ax.get_xlabel() == "distance [m]"
+
+    def test_angles_are_in_degrees(self, ax):
+        X = am.planar_poses(np.zeros((3, 2)), [0, 0, 0])
+        turned = am.planar_poses(np.zeros((3, 2)), np.radians([0, 10, -20]))
+        plotting.error_series(ax, am.ate(X, turned, "none").rotation)
+        assert np.allclose(ax.lines[0].get_ydata(), [0, 10, 20])
+        assert ax.get_ylabel() == "ATE rotation [deg]"
+
+    def test_histogram_counts_every_sample(self, ax):
+        plotting.error_histogram(ax, self.ERROR)
+        assert sum(bar.get_height() for bar in ax.patches) == 4
+        assert [line.get_xdata()[0] for line in ax.lines] == [self.ERROR.rmse, self.ERROR.p95]
+
+    def test_plan_colors_by_error(self, ax):
+        p = np.array([[0.0, 0], [1, 0], [2, 1]])
+        plotting.error_plan(ax, p, p + 0.1, [0.1, 0.2, 0.3])
+        dots = ax.collections[0]
+        assert np.allclose(dots.get_offsets(), p + 0.1)
+        assert dots.get_array().tolist() == [0.1, 0.2, 0.3]
+        assert ax.get_aspect() == 1
+
+    def test_relative_errors_are_logarithmic(self, ax):
+        plotting.relative_errors(ax, [1, 10], [0.01, 0.03])
+        assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
+
+    def test_coverage_breaks_where_there_is_a_gap(self, ax):
+        t = np.r_[np.arange(0, 3, 0.1), np.arange(8, 10, 0.1)]
+        run = am.Trajectory(t, np.c_[t, t])
+        plotting.coverage(ax, am.match(run, run))
+        assert len(ax.patches) == 2
+        assert "longest gap 5.1 s" in ax.get_title()

@@ -1,0 +1,190 @@
+"""One call gives the numbers of the single functions, and says what it could not compute."""
+
+import json
+
+import numpy as np
+import pytest
+
+import amrmetrics as am
+
+T = np.arange(0, 120, 0.1)
+
+
+def drive(noise=0.0, seed=0, t=T, name="run"):
+    rng = np.random.default_rng(seed)
+    phase = t / 3 + (t / 40) ** 2
+    xy = np.c_[2 * t, 5 * np.sin(phase)] + noise * rng.normal(size=(len(t), 2))
+    slope = 5 * np.cos(phase) * (1 / 3 + t / 800)
+    heading = np.arctan2(slope, 2) + noise * rng.normal(size=len(t))
+    return am.Trajectory(t, am.planar_poses(xy, heading), name)
+
+
+class TestReport:
+    def test_has_the_numbers_of_the_single_functions(self):
+        X, Y = drive(name="truth"), drive(0.05, t=T[::2], seed=1)
+        report = am.evaluate(X, Y)
+        p, q = am.match(X, Y)
+        assert report.ate.rmse == am.ate(p, q).rmse
+        assert report.ate.rotation.rmse == am.ate(p, q).rotation.rmse
+        assert report.drift_rate.rate == am.drift_rate(p, q).rate
+        expected = am.segment_drift(p, q)
+        assert report.segments.translation_percent == expected.translation_percent
+        stretches = [(x.translation.delta, x.translation.delta_unit) for x in report.rpe]
+        assert stretches == [(1, "frames"), (1, "s"), (1, "m"), (10, "m")]
+        for x, (delta, unit) in zip(report.rpe, stretches, strict=True):
+            assert x.translation.rmse == am.rpe(p, q, delta, unit).translation.rmse
+        assert report.coverage.matched == 600
+        for text in ("ATE rotation", "RPE 1 s", "segment drift", "600 of 1200 reference", "rigid"):
+            assert text in repr(report)
+            assert text in report._repr_html_()
+
+    def test_passes_options_on(self):
+        X, Y = drive(), drive(0.05, seed=1)
+        body = am.planar_poses([[0.1, 0.2]], [0.3])[0]
+        for align, first in (("none", None), ("rigid", 50), ("origin", None), ("similarity", None)):
+            report = am.evaluate(X, Y, align=align, first=first, body=body, deltas=[(3, "s")])
+            assert report.ate.rmse == am.ate(X, Y, align, first=first, body=body).rmse
+            assert len(report.rpe) == 1
+            assert report.rpe[0].rotation.rmse == am.rpe(X, Y, 3, "s", body=body).rotation.rmse
+        assert ", scale " in repr(report)
+        late = am.Trajectory(T - 7.3, drive(0.003, seed=1).poses)
+        for offset in (7.3, "auto"):
+            assert am.evaluate(X, late, offset=offset).offset == pytest.approx(7.3, abs=5e-3)
+        assert "clock offset estimated" in repr(am.evaluate(X, late, offset="auto"))
+        with pytest.raises(am.AmrError, match="offset is 'soon'"):
+            am.evaluate(X, late, offset="soon")
+
+    def test_projects_only_what_is_spatial(self):
+        X = drive()
+        lifted = am.Trajectory(T, np.c_[X.positions, np.sin(T)])
+        with pytest.raises(am.AmrError, match="Project the spatial one to the plane"):
+            am.evaluate(lifted, drive(0.05, seed=1))
+        found = am.evaluate(lifted, drive(0.05, seed=1), plane="xy")
+        assert found.ate.rmse == am.ate(X, drive(0.05, seed=1)).rmse
+
+    def test_projects(self):
+        def lifted(run):
+            X = np.tile(np.eye(4), (len(run), 1, 1))
+            X[:, :2, :2], X[:, :2, 3] = run.poses[:, :2, :2], run.poses[:, :2, 2]
+            X[:, 2, 3] = np.random.default_rng(0).normal(size=len(run))
+            return am.Trajectory(run.stamps, X, run.source)
+
+        X, Y = drive(), drive(0.05, seed=1)
+        flat = am.evaluate(lifted(X), lifted(Y), plane="xy")
+        assert flat.ate.rmse == pytest.approx(am.evaluate(X, Y).ate.rmse)
+        assert "xy" in repr(flat)
+        positions = am.Trajectory(T, am.positions(lifted(Y)))
+        prism = am.evaluate(lifted(X), positions, plane="xy")
+        assert prism.ate.rmse == pytest.approx(flat.ate.rmse)
+
+    def test_says_what_is_missing_and_why(self):
+        X, Y = drive(t=T[:200]), drive(0.05, t=T[:200], seed=1)
+        report = am.evaluate(X, am.Trajectory(Y.stamps, am.positions(Y), "prism"))
+        assert report.rpe == ()
+        assert report.skipped["RPE"] == "only positions were given"
+        assert "no RPE" in repr(report)
+        short = am.evaluate(X, Y)
+        assert "too short for 100 m segments" in short.skipped["segment drift"]
+        assert short.segments is None
+        still = am.Trajectory(T, np.zeros((len(T), 2)))
+        report = am.evaluate(still, am.Trajectory(T, np.ones((len(T), 2))), align="none")
+        assert "does not move" in report.skipped["drift rate"]
+
+    def test_json_comes_back(self):
+        report = am.evaluate(drive(), drive(0.05, seed=1))
+        rows = report.as_dict()
+        assert json.loads(json.dumps(rows, allow_nan=False)) == rows
+        assert rows["ate"]["rmse"] == report.ate.rmse
+        assert rows["alignment"]["mode"] == "rigid"
+        assert rows["rpe"][0]["rotation"]["unit"] == "rad"
+        nothing = am.evaluate(*(am.Trajectory(None, drive(s).poses) for s in (0, 0.1))).as_dict()
+        assert nothing["coverage"]["duration"] is None
+        json.dumps(nothing, allow_nan=False)
+
+    def test_reads_files_and_says_what_was_repaired(self, tmp_path):
+        am.write_tum(tmp_path / "truth.txt", drive())
+        run = (tmp_path / "run.txt").open("w", encoding="utf-8")
+        am.write_tum(tmp_path / "whole.txt", drive(0.05, seed=1))
+        lines = (tmp_path / "whole.txt").read_text(encoding="utf-8").splitlines(keepends=True)
+        with run:
+            run.writelines([*lines[:10], lines[9], *lines[10:]])
+        with pytest.warns(am.RecordingWarning, match="line 11"):
+            report = am.evaluate(tmp_path / "truth.txt", str(tmp_path / "run.txt"))
+        assert report.coverage.matched == 1200
+        assert any("estimate repaired: 1 " in note for note in report.notes)
+        assert report.name == "run.txt"
+        assert report.reference_name == "truth.txt"
+
+    def test_refuses_other_things(self):
+        with pytest.raises(am.AmrError, match="reference is of type ndarray; expected the path"):
+            am.evaluate(drive().poses, drive())
+        for other in (drive().poses, 5):
+            with pytest.raises(am.AmrError, match=r"estimate is of type .* expected the path"):
+                am.evaluate(drive(), other)
+        with pytest.raises(am.AmrError, match="is of type ndarray; expected the path"):
+            am.evaluate(drive(), [drive().poses])
+        for nothing in ([], {}):
+            with pytest.raises(am.AmrError, match="estimate is empty"):
+                am.evaluate(drive(), nothing)
+        with pytest.raises(am.AmrError, match="no estimate could be evaluated"):
+            am.evaluate(drive(), [drive(t=T + 1e6)])
+
+
+class TestSeveral:
+    def test_are_sorted_and_failures_are_counted(self):
+        runs = {"bad": drive(0.5, 1), "good": drive(0.01, 2), "lost": drive(t=T + 1e6)}
+        found = am.evaluate(drive(), runs)
+        assert [report.name for report in found] == ["good", "bad"]
+        assert found.success_rate == pytest.approx(2 / 3)
+        assert found.median == found[1].ate.rmse
+        assert "no stamps match" in found.failures["lost"]
+        assert "failed: lost: no stamps match" in repr(found)
+        assert "2 of 3 estimates evaluated" in repr(found)
+        assert len(found) == 2
+        assert [row["estimate"] for row in found.table()] == ["good", "bad"]
+        assert json.loads(json.dumps(found.as_dict(), allow_nan=False)) == found.as_dict()
+        half = am.evaluate(drive(), {"good": runs["good"], "lost": runs["lost"]})
+        assert np.isnan(half.median)
+        assert "median ATE rmse none, half failed" in repr(half)
+
+    def test_says_how_samples_were_matched(self):
+        bare = am.Trajectory(None, drive(0.01).poses)
+        assert ", by order in the files" in repr(am.evaluate(drive(), bare))
+        assert ", by interpolated" in repr(am.evaluate(drive(), drive(0.01), interpolate=True))
+
+    def test_runs_of_two_systems_are_compared(self):
+        runs = {f"orb_{k}": drive(0.02 + 0.001 * k, k) for k in range(8)}
+        runs |= {f"vins_{k}.txt": drive(0.05 + 0.001 * k, 50 + k) for k in range(8)}
+        found = am.evaluate(drive(), runs)
+        (name,) = found.comparisons
+        result = found.comparisons[name]
+        rmse = {report.name: report.ate.rmse for report in found}
+        a = [rmse[f"orb_{k}"] for k in range(8)]
+        b = [rmse[f"vins_{k}.txt"] for k in range(8)]
+        assert name == "orb - vins"
+        assert result.verdict == "A better"
+        assert result.mean == pytest.approx(am.compare_paired(a, b).mean)
+        assert result.unit == "m"
+        del runs["orb_3"], runs["orb_4"], runs["orb_5"]
+        assert am.evaluate(drive(), runs).comparisons == {}
+
+    def test_runs_with_and_without_orientations_share_a_table(self):
+        X = drive(0.01, 1)
+        bare = am.Trajectory(T, X.positions)
+        runs = {"bare": bare, "good": drive(0.02, 1), "short": drive(0.02, 1)[:9]}
+        found = am.evaluate(drive(), runs, align="none")
+        assert {report.name for report in found} == set(runs)
+        columns = {tuple(row) for row in found.table()}
+        assert len(columns) == 1
+        assert "rpe_10m_rmse_m" in columns.pop()
+        lines = repr(found).splitlines()[1:5]
+        assert len({len(line) for line in lines}) == 1
+
+    def test_names_are_told_apart(self, tmp_path):
+        for folder in "ab":
+            (tmp_path / folder).mkdir()
+            am.write_tum(tmp_path / folder / "run.txt", drive(0.01))
+        paths = [tmp_path / folder / "run.txt" for folder in "ab"]
+        names = {report.name for report in am.evaluate(paths[0], paths)}
+        assert names == {str(path) for path in paths}
+        assert len(am.evaluate(drive(), [drive(0.01), drive(0.02)])) == 2
