@@ -1,6 +1,9 @@
 """One table row for many runs: averages, percentiles, and the runs that failed (lecture 09)."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -9,6 +12,9 @@ from amrmetrics._intervals import quantile_ranks, share_interval, smallest_sampl
 from amrmetrics._results import Result
 from amrmetrics._runs import as_runs, as_sign, check_rule, worst_value
 from amrmetrics.errors import AmrError
+
+if TYPE_CHECKING:
+    from amrmetrics._types import ArrayLike
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -85,16 +91,16 @@ class Aggregate(Result):
 
 
 def aggregate(
-    values,
-    scenarios=None,
+    values: ArrayLike,
+    scenarios: ArrayLike | None = None,
     *,
-    failures=None,
-    worst=None,
-    better="lower",
-    percentiles=(5, 95),
-    confidence=0.95,
-    unit=None,
-):
+    failures: str | None = None,
+    worst: float | None = None,
+    better: str = "lower",
+    percentiles: ArrayLike = (5, 95),
+    confidence: float = 0.95,
+    unit: str | None = None,
+) -> Aggregate:
     """Summarize one number per run over runs and scenarios; no failed run gets lost.
 
     Parameters

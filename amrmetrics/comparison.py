@@ -4,7 +4,10 @@ Both systems run the same scenarios with the same seeds, and what is judged are 
 differences of their runs, A - B. A result says who is better only if its interval excludes 0.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,6 +15,9 @@ from amrmetrics._arguments import as_numbers, as_probability, as_size
 from amrmetrics._results import Result
 from amrmetrics._runs import as_pairs, rounding
 from amrmetrics.errors import AmrError
+
+if TYPE_CHECKING:
+    from amrmetrics._types import Array, ArrayLike
 
 # Effects that no affordable number of runs shows.
 SMALLEST_EFFECT = 1e-3
@@ -133,7 +139,16 @@ class PairedTest(Comparison):
         return f", t {self.t:.6g}, p {self.p_value:.3g}"
 
 
-def compare_paired(a, b, confidence=0.95, *, failures=None, worst=None, better="lower", unit=None):
+def compare_paired(
+    a: ArrayLike,
+    b: ArrayLike,
+    confidence: float = 0.95,
+    *,
+    failures: str | None = None,
+    worst: float | None = None,
+    better: str = "lower",
+    unit: str | None = None,
+) -> PairedTest:
     """Compare two systems by the t interval of the differences of their paired runs.
 
     Parameters
@@ -211,7 +226,7 @@ def compare_paired(a, b, confidence=0.95, *, failures=None, worst=None, better="
     )
 
 
-def holm(p_values):
+def holm(p_values: ArrayLike) -> Array:
     """Adjust p-values of several comparisons, so that all claims hold together.
 
     Parameters
@@ -255,7 +270,7 @@ def holm(p_values):
     return adjusted
 
 
-def power(difference, std, n, confidence=0.95):
+def power(difference: ArrayLike, std: ArrayLike, n: ArrayLike, confidence: float = 0.95) -> Any:
     """Probability that `compare_paired` shows a true difference.
 
     Parameters
@@ -304,7 +319,7 @@ def power(difference, std, n, confidence=0.95):
     return found if np.ndim(found) else float(found)
 
 
-def runs_needed(difference, std, power=0.9, confidence=0.95):
+def runs_needed(difference: float, std: float, power: float = 0.9, confidence: float = 0.95) -> int:
     """Smallest number of paired runs with which `compare_paired` shows a true difference.
 
     For NEES and NIS values there is another one, ``amrmetrics.runs_needed``.

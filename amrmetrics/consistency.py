@@ -5,20 +5,27 @@ components; a filter whose P is too small has larger values, one whose P is too 
 ones. Both are wrong, so every test here is two-sided.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from amrmetrics import _intervals
 from amrmetrics._arguments import as_count, as_numbers, as_pose_pair, as_probability
+from amrmetrics._results import Result
 from amrmetrics.errors import AmrError
+
+if TYPE_CHECKING:
+    from amrmetrics._types import Array, ArrayLike
 
 # Correlations of independent values stay inside 3 / sqrt(n) in 99.7 % of all recordings.
 CORRELATED = 3.0
 
 
 @dataclass(frozen=True)
-class ConsistencyTest:
+class ConsistencyTest(Result):
     """What the mean of NEES or NIS values says about the covariance.
 
     Attributes
@@ -63,7 +70,7 @@ class ConsistencyTest:
         )
 
 
-def pose_errors(reference, estimate):
+def pose_errors(reference: ArrayLike, estimate: ArrayLike) -> Array:
     """Return what is to be added to the estimate, in the world frame, to get the reference.
 
     Parameters
@@ -114,7 +121,7 @@ def pose_errors(reference, estimate):
     return np.column_stack([X[:, :d, d] - Y[:, :d, d], rotation])
 
 
-def nees(errors, covariances):
+def nees(errors: ArrayLike, covariances: ArrayLike) -> Array:
     """Normalized estimation error squared, e^T P^-1 e.
 
     Parameters
@@ -150,7 +157,7 @@ def nees(errors, covariances):
     return _mahalanobis(errors, covariances, "errors", "covariances")
 
 
-def nis(innovations, covariances):
+def nis(innovations: ArrayLike, covariances: ArrayLike) -> Array:
     """Normalized innovation squared, nu^T S^-1 nu; needs no ground truth.
 
     Parameters
@@ -184,7 +191,7 @@ def nis(innovations, covariances):
     return _mahalanobis(innovations, covariances, "innovations", "covariances")
 
 
-def consistency_test(values, dof, confidence=0.95):
+def consistency_test(values: ArrayLike, dof: int, confidence: float = 0.95) -> ConsistencyTest:
     """Test whether NEES or NIS values are what a consistent filter gives, two-sided.
 
     Parameters
@@ -246,7 +253,7 @@ def consistency_test(values, dof, confidence=0.95):
     )  # fmt: skip
 
 
-def expected_nees(P, Sigma, bias=0):
+def expected_nees(P: ArrayLike, Sigma: ArrayLike, bias: ArrayLike = 0) -> float:
     """Mean of the NEES when the filter claims P and the errors have covariance Sigma and a bias.
 
     Parameters
@@ -282,7 +289,7 @@ def expected_nees(P, Sigma, bias=0):
     return float(np.trace(W) + w @ w)
 
 
-def nees_variance(P, Sigma, bias=0):
+def nees_variance(P: ArrayLike, Sigma: ArrayLike, bias: ArrayLike = 0) -> float:
     """Variance of the NEES of Gaussian errors, in the situation of `expected_nees`.
 
     Parameters
@@ -317,7 +324,7 @@ def nees_variance(P, Sigma, bias=0):
     return float(2 * np.vdot(W, W) + 4 * w @ W @ w)
 
 
-def consistency_power(dof, trials, inflation, confidence=0.95):
+def consistency_power(dof: int, trials: int, inflation: float, confidence: float = 0.95) -> float:
     """Probability that `consistency_test` notices a covariance P = inflation * Sigma.
 
     Parameters
@@ -366,7 +373,7 @@ def consistency_power(dof, trials, inflation, confidence=0.95):
     return power if np.ndim(power) else float(power)
 
 
-def runs_needed(dof, inflation, power=0.9, confidence=0.95):
+def runs_needed(dof: int, inflation: float, power: float = 0.9, confidence: float = 0.95) -> int:
     """Smallest number of independent values that shows P = inflation * Sigma.
 
     Parameters
@@ -401,7 +408,7 @@ def runs_needed(dof, inflation, power=0.9, confidence=0.95):
     >>> am.consistency_power(3, n - 1, 0.8) < 0.9 <= am.consistency_power(3, n, 0.8)
     True
     """
-    power = as_probability(power, "power")
+    power, confidence = as_probability(power, "power"), as_probability(confidence, "confidence")
     if power <= 1 - confidence:
         raise AmrError(f"power is {power:g}; even a consistent filter is noticed that often.")
     if not abs(float(as_numbers(inflation, "inflation")) - 1) > 1e-4:

@@ -4,9 +4,12 @@ The reader takes lines in any order, comments (#), blank lines, and ``.gz``; it 
 problem with the file and the line. Lecture 07.
 """
 
+from __future__ import annotations
+
 import gzip
 import warnings
 import zlib
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,6 +19,9 @@ from amrmetrics.errors import AmrError, RecordingWarning
 from amrmetrics.loops import not_positive_definite
 from amrmetrics.pose_graph import PoseGraph
 from amrmetrics.poses import UNIT_QUATERNION_WITHIN, planar_poses, spatial_poses
+
+if TYPE_CHECKING:
+    from amrmetrics._types import Path
 
 # A quaternion that differs more from unit length than this was not meant as a rotation.
 REPAIRED_WITHIN = 0.05
@@ -34,7 +40,7 @@ PLANE, SPACE = ("VERTEX_SE2", "EDGE_SE2"), ("VERTEX_SE3:QUAT", "EDGE_SE3:QUAT")
 TORO = ("VERTEX2", "EDGE2", "VERTEX3", "EDGE3")
 
 
-def read_g2o(path, strict=False):
+def read_g2o(path: Path, strict: bool = False) -> PoseGraph:
     """Read a pose graph from a g2o file.
 
     Parameters
@@ -120,7 +126,7 @@ def read_g2o(path, strict=False):
     return PoseGraph(X, edges, Z, information, fixed or (0,), ids)
 
 
-def write_g2o(path, graph):
+def write_g2o(path: Path, graph: PoseGraph) -> None:
     """Write a pose graph as a g2o file, every number to its last digit.
 
     Parameters

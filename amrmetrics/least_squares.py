@@ -1,6 +1,9 @@
 """Least squares on a pose graph: sparse, damped, robust (lecture 07)."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,6 +13,9 @@ from amrmetrics._results import Result
 from amrmetrics.errors import AmrError
 from amrmetrics.loops import LOSSES, as_loss, information_roots, inlier_ratio, summarize
 from amrmetrics.pose_graph import PoseGraph
+
+if TYPE_CHECKING:
+    from amrmetrics._types import ArrayLike
 
 # A step is final if it moves no node by more than this part of the size of the map, nor turns
 # one by more than this, radians.
@@ -102,15 +108,15 @@ class Optimization(Result):
 
 
 def optimize(
-    graph,
-    loss="linear",
+    graph: PoseGraph,
+    loss: str = "linear",
     *,
-    width=None,
-    robust=None,
-    damping=1e-9,
-    max_iterations=500,
-    tolerance=1e-8,
-):
+    width: float | None = None,
+    robust: ArrayLike | None = None,
+    damping: float = 1e-9,
+    max_iterations: int = 500,
+    tolerance: float = 1e-8,
+) -> Optimization:
     """Move the free nodes to where the edges agree best.
 
     Parameters

@@ -3,13 +3,19 @@
 A rate with nothing to count is nan, with the reason in the result; it is never made up.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from amrmetrics._arguments import as_binary, as_count, as_numbers, as_probability, as_size
-from amrmetrics._results import Result
+from amrmetrics._results import Number, Result
 from amrmetrics.errors import AmrError
+
+if TYPE_CHECKING:
+    from amrmetrics._types import ArrayLike
 
 # The default width of a kernel leaves this share of right edges below it.
 UNTOUCHED = 0.95
@@ -95,7 +101,7 @@ class PrecisionRecall(Result):
 _RATES = ("precision", "recall", "false_positive_rate", "f1")
 
 
-def precision_recall(labels, scores):
+def precision_recall(labels: ArrayLike, scores: ArrayLike) -> PrecisionRecall:
     """Count at every threshold of a loop-closure detector that makes a difference.
 
     Parameters
@@ -259,7 +265,9 @@ class ResidualSummary(Result):
         )
 
 
-def residual_summary(residuals, information, *, free_nodes=0):
+def residual_summary(
+    residuals: ArrayLike, information: ArrayLike, *, free_nodes: int = 0
+) -> ResidualSummary:
     """Chi-square of the residuals of a graph, per edge and in total, with its p-value.
 
     Parameters
@@ -315,7 +323,7 @@ def summarize(chi_square, dim, free_nodes):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class InlierRatio(Result):
+class InlierRatio(Number):
     """Share of the edges that agree with the rest; converts to a number with ``float()``.
 
     Attributes
@@ -361,7 +369,14 @@ class InlierRatio(Result):
         )
 
 
-def inlier_ratio(residuals, information, confidence=0.95, *, loss="huber", width=None):
+def inlier_ratio(
+    residuals: ArrayLike,
+    information: ArrayLike,
+    confidence: float = 0.95,
+    *,
+    loss: str = "huber",
+    width: float | None = None,
+) -> InlierRatio:
     """Share of edges that a chi-square gate keeps, and the mean weight that a kernel leaves.
 
     Parameters

@@ -3,15 +3,23 @@
 A rate with nothing to count is nan, with the reason in the result; it is never made up.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from amrmetrics._arguments import as_forecasts, as_numbers, as_rows
+from amrmetrics._arguments import as_numbers, as_rows
+from amrmetrics._cells import as_forecasts
+from amrmetrics._results import Number, Result
 from amrmetrics.errors import AmrError
 
+if TYPE_CHECKING:
+    from amrmetrics._types import ArrayLike
 
-class _Rates:
+
+class _Rates(Result):
     """Rates of the counts tp, fp, fn and tn: numbers, or arrays over thresholds."""
 
     @property
@@ -123,7 +131,7 @@ class ThresholdSweep(_Rates):
 
 
 @dataclass(frozen=True, eq=False)
-class MapDistance:
+class MapDistance(Number):
     """A distance between two point sets, meters; converts to a number with ``float()``.
 
     Attributes
@@ -161,7 +169,13 @@ class MapDistance:
         )
 
 
-def confusion(occupied, probability, threshold=0.5, *, unknown=None):
+def confusion(
+    occupied: ArrayLike,
+    probability: ArrayLike,
+    threshold: float = 0.5,
+    *,
+    unknown: ArrayLike | None = None,
+) -> Confusion:
     """Cut a map at a threshold and count.
 
     Parameters
@@ -209,7 +223,9 @@ def confusion(occupied, probability, threshold=0.5, *, unknown=None):
     return Confusion(tp, fp, fn, len(y) - tp - fp - fn, float(level))
 
 
-def threshold_sweep(occupied, probability, *, unknown=None):
+def threshold_sweep(
+    occupied: ArrayLike, probability: ArrayLike, *, unknown: ArrayLike | None = None
+) -> ThresholdSweep:
     """Count at every threshold that makes a difference.
 
     Parameters
@@ -252,7 +268,7 @@ def threshold_sweep(occupied, probability, *, unknown=None):
     return ThresholdSweep(thresholds, tp, fp, tp[-1] - tp, fp[-1] - fp)
 
 
-def chamfer(P, Q):
+def chamfer(P: ArrayLike, Q: ArrayLike) -> MapDistance:
     """Chamfer distance: mean nearest-neighbor distance from P to Q plus that from Q to P.
 
     Parameters
@@ -286,7 +302,7 @@ def chamfer(P, Q):
     return MapDistance(sum(mean), *mean, *worst, "Chamfer", n)
 
 
-def hausdorff(P, Q):
+def hausdorff(P: ArrayLike, Q: ArrayLike) -> MapDistance:
     """Hausdorff distance: the largest nearest-neighbor distance, from either set.
 
     Parameters

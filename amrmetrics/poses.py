@@ -5,15 +5,22 @@ robot's frame to coordinates in the world frame. A trajectory is an array of
 them, shape (N, d + 1, d + 1); every function here works for d = 2 and d = 3.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from amrmetrics._arguments import as_numbers, as_poses, as_positions, as_rows
 from amrmetrics.errors import AmrError
 
+if TYPE_CHECKING:
+    from amrmetrics._types import Array, ArrayLike
+
 UNIT_QUATERNION_WITHIN = 1e-3
 
 
-def wrap(angle):
+def wrap(angle: ArrayLike) -> Any:
     """Bring angles to [-pi, pi).
 
     Parameters
@@ -54,7 +61,7 @@ def wrap(angle):
     return rest if rest.ndim else float(rest)
 
 
-def planar_poses(xy, yaw):
+def planar_poses(xy: ArrayLike, yaw: ArrayLike) -> Array:
     """Make SE(2) poses from positions and headings.
 
     Parameters
@@ -100,7 +107,7 @@ def planar_poses(xy, yaw):
     return X
 
 
-def spatial_poses(xyz, quaternions):
+def spatial_poses(xyz: ArrayLike, quaternions: ArrayLike) -> Array:
     """Make SE(3) poses from positions and unit quaternions.
 
     Parameters
@@ -168,7 +175,7 @@ def spatial_poses(xyz, quaternions):
     return X
 
 
-def inverse(X):
+def inverse(X: ArrayLike) -> Array:
     """Invert poses: [[R, t], [0, 1]] becomes [[R^T, -R^T t], [0, 1]].
 
     Parameters
@@ -201,7 +208,7 @@ def inverse(X):
     return _inverse(as_poses(X, "X", batch=True))
 
 
-def relative(A, B):
+def relative(A: ArrayLike, B: ArrayLike) -> Array:
     """Express pose B in the frame of pose A: ``inverse(A) @ B``.
 
     Parameters
@@ -245,7 +252,7 @@ def relative(A, B):
     return _inverse(A) @ B
 
 
-def positions(X):
+def positions(X: ArrayLike) -> Array:
     """Return the positions of poses.
 
     Parameters
@@ -276,7 +283,7 @@ def positions(X):
     return as_poses(X, "X", batch=True)[..., :-1, -1].copy()
 
 
-def yaw(X):
+def yaw(X: ArrayLike) -> Any:
     """Return the heading of poses: the direction of the robot's x axis seen from above.
 
     Parameters
@@ -316,7 +323,7 @@ def yaw(X):
     return wrap(np.arctan2(y, x))
 
 
-def rotation_angle(X):
+def rotation_angle(X: ArrayLike) -> Any:
     """Return the angle of the rotation in each pose, without its axis.
 
     Parameters
@@ -358,7 +365,7 @@ def angle_of(R):
     return np.arctan2(np.sqrt(a * a + b * b + c * c), R[0, 0] + R[1, 1] + R[2, 2] - 1)
 
 
-def path_length(X):
+def path_length(X: ArrayLike) -> float:
     """Return the length of the path: the sum of the distances between successive positions.
 
     Parameters
@@ -391,7 +398,7 @@ def path_length(X):
     return float(np.sqrt(np.einsum("ij,ij->i", steps, steps)).sum())
 
 
-def project(X, plane="xy"):
+def project(X: ArrayLike, plane: str = "xy") -> Array:
     """Project spatial poses to a coordinate plane.
 
     Parameters

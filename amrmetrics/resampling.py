@@ -4,7 +4,10 @@ The bootstrap draws runs again; the sign-flip test turns the signs of the differ
 exact for few runs. `comparison` has the results' common fields and the t interval.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,6 +23,11 @@ from amrmetrics.comparison import (
     why_no_spread,
 )
 from amrmetrics.errors import AmrError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from amrmetrics._types import ArrayLike
 
 # The sign-flip test goes through all 2^n flips up to this number of runs.
 EXACT_UP_TO = 20
@@ -76,19 +84,19 @@ class SignFlipTest(Comparison):
 
 
 def compare_bootstrap(
-    a,
-    b,
-    confidence=0.95,
-    statistic=np.mean,
-    method="BCa",
-    rng=None,
+    a: ArrayLike,
+    b: ArrayLike,
+    confidence: float = 0.95,
+    statistic: Callable[..., Any] = np.mean,
+    method: str = "BCa",
+    rng: np.random.Generator | None = None,
     *,
-    resamples=9999,
-    failures=None,
-    worst=None,
-    better="lower",
-    unit=None,
-):
+    resamples: int = 9999,
+    failures: str | None = None,
+    worst: float | None = None,
+    better: str = "lower",
+    unit: str | None = None,
+) -> BootstrapInterval:
     """Compare two systems by the bootstrap interval of the differences of their paired runs.
 
     Parameters
@@ -174,17 +182,17 @@ def compare_bootstrap(
 
 
 def compare_sign_flip(
-    a,
-    b,
-    confidence=0.95,
-    rng=None,
+    a: ArrayLike,
+    b: ArrayLike,
+    confidence: float = 0.95,
+    rng: np.random.Generator | None = None,
     *,
-    flips=10_000,
-    failures=None,
-    worst=None,
-    better="lower",
-    unit=None,
-):
+    flips: int = 10_000,
+    failures: str | None = None,
+    worst: float | None = None,
+    better: str = "lower",
+    unit: str | None = None,
+) -> SignFlipTest:
     """Compare two systems by turning the signs of the differences of their paired runs.
 
     If neither is better, A - B is as likely as B - A in each run, so all 2^n choices of signs

@@ -4,16 +4,24 @@
 another tool wrote, so that no hardware is needed to work with them.
 """
 
+from __future__ import annotations
+
 import sys
 import time
 from array import array
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from amrmetrics._arguments import as_array, as_count, as_numbers, as_size, as_stamps
-from amrmetrics._results import Result
+from amrmetrics._results import Number, Result
 from amrmetrics.errors import AmrError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from amrmetrics._types import ArrayLike
 
 # How the name of a column ends, the unit in which it is reported, and its factor.
 UNITS = {
@@ -172,7 +180,10 @@ class _Frame:
             self._log._interrupted += 1
 
 
-def measure(clock=time.perf_counter, processor_clock=time.process_time):
+def measure(
+    clock: Callable[[], float] = time.perf_counter,
+    processor_clock: Callable[[], float] = time.process_time,
+) -> Recorder:
     """Log the wall time of each frame, the CPU share and the peak memory of this process.
 
     Parameters
@@ -258,7 +269,7 @@ def _windows_peak():
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Energy(Result):
+class Energy(Number):
     """Energy from a power log; converts to joules with ``float()``.
 
     Attributes
@@ -302,7 +313,14 @@ class Energy(Result):
         )
 
 
-def energy(stamps, power, *, start=None, end=None, frames=None):
+def energy(
+    stamps: ArrayLike,
+    power: float,
+    *,
+    start: float | None = None,
+    end: float | None = None,
+    frames: int | None = None,
+) -> Energy:
     """Integrate a power log by the trapezoidal rule.
 
     Parameters
@@ -420,7 +438,7 @@ class ResourceUse(Result):
         return "; ".join(columns) + f"; n {self.n} in {self.duration:.6g} s"
 
 
-def resource_use(log):
+def resource_use(log: Any) -> ResourceUse:
     """Summarize a log of processor, graphics processor, memory or power by its named columns.
 
     Parameters

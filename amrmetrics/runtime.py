@@ -4,7 +4,10 @@ No distribution is assumed: the limits of a percentile are two of the measured t
 sample that is too small for a limit gets a number of frames instead.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,8 +19,11 @@ from amrmetrics._intervals import (
     smallest_sample,
     spread_ranks,
 )
-from amrmetrics._results import Result
+from amrmetrics._results import Number, Result
 from amrmetrics.errors import AmrError
+
+if TYPE_CHECKING:
+    from amrmetrics._types import ArrayLike
 
 # Products of survival shares are rounded: 3/4 * 2/3 is half.
 ROUNDING = 1e-12
@@ -26,7 +32,7 @@ NOT_ASKED = "no deadline was given"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Percentile(Result):
+class Percentile(Number):
     """A percentile of measured values with its interval; converts to a number with ``float()``.
 
     Attributes
@@ -154,7 +160,7 @@ class Latency(Result):
 _ENDS = ("", "_lower", "_upper")
 
 
-def frames_needed(percentile, confidence=0.95):
+def frames_needed(percentile: float, confidence: float = 0.95) -> int:
     """Least number of independent frames that gives a percentile a lower and an upper limit.
 
     Parameters
@@ -188,7 +194,9 @@ def frames_needed(percentile, confidence=0.95):
     return smallest_sample(_as_percent(percentile) / 100, as_probability(confidence, "confidence"))
 
 
-def percentile(values, percentile, confidence=0.95, *, unit="s"):
+def percentile(
+    values: ArrayLike, percentile: float, confidence: float = 0.95, *, unit: str = "s"
+) -> Percentile:
     """Percentile of measured values with an interval that holds for every distribution.
 
     Parameters
@@ -236,7 +244,13 @@ def percentile(values, percentile, confidence=0.95, *, unit="s"):
     return _percentile(values, np.sort(values), q, confidence, unit, "values")
 
 
-def latency(durations, deadline=None, *, confidence=0.95, warm_up=0):
+def latency(
+    durations: ArrayLike,
+    deadline: float | None = None,
+    *,
+    confidence: float = 0.95,
+    warm_up: int = 0,
+) -> Latency:
     """Summarize frame times: percentiles with intervals, throughput, missed deadlines.
 
     Parameters
@@ -354,7 +368,7 @@ def _misses(times, deadline, confidence):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class RelocalizationTime(Result):
+class RelocalizationTime(Number):
     """How long lost robots stay lost, runs that never recovered counted.
 
     Attributes
@@ -406,7 +420,9 @@ class RelocalizationTime(Result):
         )
 
 
-def relocalization_time(durations, recovered, confidence=0.95):
+def relocalization_time(
+    durations: ArrayLike, recovered: ArrayLike, confidence: float = 0.95
+) -> RelocalizationTime:
     """Median time to relocalize by Kaplan-Meier; runs that stayed lost are counted, not dropped.
 
     Parameters

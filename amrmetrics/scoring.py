@@ -4,16 +4,24 @@ A score is proper if reporting what one believes is best on average; lecture 05 
 ones are. Here lower is better, and nothing is clipped.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from amrmetrics._arguments import as_cells, as_forecasts, as_labels, as_numbers, known_cells
+from amrmetrics._arguments import as_numbers
+from amrmetrics._cells import as_cells, as_forecasts, as_labels, known_cells
+from amrmetrics._results import Number, Result
 from amrmetrics.errors import AmrError
+
+if TYPE_CHECKING:
+    from amrmetrics._types import ArrayLike
 
 
 @dataclass(frozen=True, eq=False)
-class Score:
+class Score(Number):
     """The mean score of a map; converts to a number with ``float()``.
 
     Attributes
@@ -48,7 +56,7 @@ class Score:
 
 
 @dataclass(frozen=True, eq=False)
-class Murphy:
+class Murphy(Result):
     """The parts of a Brier score: brier = reliability - resolution + uncertainty + within_bin.
 
     Attributes
@@ -68,6 +76,8 @@ class Murphy:
         Limits of the bins; a forecast on a limit belongs to the bin above.
     count, forecast, frequency : (B,) array
         Per bin: weight, mean forecast and frequency of occupied cells; nan if empty.
+    n : int
+        Number of known cells.
     """
 
     reliability: float
@@ -79,18 +89,25 @@ class Murphy:
     count: np.ndarray
     forecast: np.ndarray
     frequency: np.ndarray
+    n: int
 
     def __repr__(self):
         return (
             f"Brier score {self.brier:.6g} = reliability {self.reliability:.6g} - resolution "
             f"{self.resolution:.6g} + uncertainty {self.uncertainty:.6g} + within-bin "
-            f"{self.within_bin:.6g}, {len(self.count)} bins, n {self.count.sum():g}"
+            f"{self.within_bin:.6g}, {len(self.count)} bins, n {self.n}"
         )
 
 
 def cross_entropy(
-    occupied, probability=None, *, logits=None, unknown=None, weights=None, unit="nats"
-):
+    occupied: ArrayLike,
+    probability: ArrayLike | None = None,
+    *,
+    logits: ArrayLike | None = None,
+    unknown: ArrayLike | None = None,
+    weights: ArrayLike | None = None,
+    unit: str = "nats",
+) -> Score:
     """Mean of -log(probability that was given to what is the case).
 
     Parameters
@@ -142,7 +159,7 @@ def cross_entropy(
         with np.errstate(divide="ignore"):
             loss = -np.where(y, np.log(p), np.log1p(-p))
     else:
-        labels, a = as_labels(occupied, "occupied"), as_cells(logits, "logits", unknown)
+        labels, a = as_labels(occupied, "occupied", unknown), as_cells(logits, "logits", unknown)
         if a.shape != labels.shape:
             raise AmrError(f"occupied has shape {labels.shape} and logits {a.shape}; not equal.")
         y, a, w, cells = known_cells(labels, a, unknown, weights)
@@ -154,7 +171,13 @@ def cross_entropy(
     return Score(float(value / scale), "cross-entropy", unit, len(y), offending)
 
 
-def brier(occupied, probability, *, unknown=None, weights=None):
+def brier(
+    occupied: ArrayLike,
+    probability: ArrayLike,
+    *,
+    unknown: ArrayLike | None = None,
+    weights: ArrayLike | None = None,
+) -> Score:
     """Mean of (probability - label)^2.
 
     Parameters
@@ -195,7 +218,14 @@ def brier(occupied, probability, *, unknown=None, weights=None):
     return Score(float(_mean((p - y) ** 2, w)), "Brier score", "", len(y), none)
 
 
-def murphy(occupied, probability, bins=10, *, unknown=None, weights=None):
+def murphy(
+    occupied: ArrayLike,
+    probability: ArrayLike,
+    bins: ArrayLike = 10,
+    *,
+    unknown: ArrayLike | None = None,
+    weights: ArrayLike | None = None,
+) -> Murphy:
     """Split the Brier score into reliability, resolution, uncertainty and within-bin terms.
 
     Parameters
@@ -255,9 +285,17 @@ def murphy(occupied, probability, bins=10, *, unknown=None, weights=None):
     within = _mean(f * f - 2 * f * o, w)
     uncertainty = rate * (1 - rate)
     return Murphy(
-        float(reliability), float(resolution), float(uncertainty), float(within),
-        float(_mean((p - y) ** 2, w)), edges, count, forecast, frequency,
-    )  # fmt: skip
+        reliability=float(reliability),
+        resolution=float(resolution),
+        uncertainty=float(uncertainty),
+        within_bin=float(within),
+        brier=float(_mean((p - y) ** 2, w)),
+        edges=edges,
+        count=count,
+        forecast=forecast,
+        frequency=frequency,
+        n=len(p),
+    )
 
 
 def _edges(bins):
