@@ -1,5 +1,6 @@
 __version__: str
 
+from . import benchmark as benchmark
 from . import check as check
 from . import comparison as comparison
 from . import derivation as derivation

@@ -32,6 +32,10 @@ chi_square: float = am.optimize(graph, loss="huber").chi_square
 score: float = am.brier([[0, 1]], [[0.1, 0.9]]).value
 am.write_tum("b.txt", truth)
 text: str = am.page(am.evaluate("a.txt", ["b.txt", "c.txt"], offset="auto"))
+plan = am.benchmark.Protocol(align="yaw", maximum_ate=2)
+still = am.benchmark.System("still", lambda log: am.benchmark.Estimate(X))
+done: int = am.benchmark.run(still, am.benchmark.scenarios(), 3, "logs", protocol=plan).done
+failed: int = am.benchmark.adopt("table.csv", "logs", protocol=plan).failed
 """
 
 WRONG = {
@@ -43,6 +47,9 @@ WRONG = {
     'am.match("a.txt", "b.txt")': "arg-type",
     "x: str = am.path_length([[0, 0]])": "assignment",
     "am.rpe([[0.0]], [[0.0]], pair='all')": "call-arg",
+    'am.benchmark.run(7, am.benchmark.scenarios(), 3, "logs")': "arg-type",
+    'am.benchmark.System("still", 7)': "arg-type",
+    'am.benchmark.adopt(7, "logs")': "arg-type",
 }
 
 

@@ -1,0 +1,17 @@
+from .comparing import Comparisons as Comparisons
+from .comparing import compare as compare
+from .data import Estimate as Estimate
+from .data import Protocol as Protocol
+from .data import Scenario as Scenario
+from .data import SensorLog as SensorLog
+from .data import System as System
+from .data import Truth as Truth
+from .estimators import systems as systems
+from .evaluating import Evaluation as Evaluation
+from .evaluating import evaluate as evaluate
+from .recordings import adopt as adopt
+from .reporting import report as report
+from .running import Run as Run
+from .running import run as run
+from .summarizing import Summary as Summary
+from .worlds import scenarios as scenarios
