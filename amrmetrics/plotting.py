@@ -521,3 +521,223 @@ def coverage(ax, match):
     for part in np.split(t, breaks):
         ax.barh(0, max(part[-1] - part[0], usual), left=part[0], color=BLUE, height=0.5)
     ax.set(xlabel="time [s]", yticks=[], ylim=(-0.6, 0.6), title=repr(match.coverage))
+
+
+# Systems of a comparison: every two differ by color, by line and by marker. The dashes of a line
+# are told apart better than the names for them allow.
+DASHES = ("-", (0, (6, 2)), (0, (1, 1.3)), (0, (8, 2, 1, 2)), (0, (3, 1)), (0, (8, 2, 1, 2, 1, 2)))
+COLORS = (BLUE, RED, GREEN, PINK, ORANGE, SKY, "0.45")
+MARKERS = "os^DvXP*"
+
+
+def looks(names):
+    """Return a color, a line and a marker for each name, no two alike up to 168 names.
+
+    Parameters
+    ----------
+    names : sequence of str
+        In the order in which they get their looks.
+
+    Returns
+    -------
+    dict of str to dict
+        For `Axes.plot`, the label included.
+    """
+    return {
+        name: {
+            "color": COLORS[k % len(COLORS)],
+            "linestyle": DASHES[k % len(DASHES)],
+            "marker": MARKERS[k % len(MARKERS)],
+            "label": name,
+        }
+        for k, name in enumerate(names)
+    }
+
+
+def _sparse(look, k, n, marks=6):
+    """Return a look with a few markers, shifted so that those of several lines do not meet."""
+    step = max(1, n // marks)
+    return look | {"markevery": (k * step // len(MARKERS), step), "linewidth": 1.5, "markersize": 5}
+
+
+def _plain_numbers(axis):
+    """Label the ticks of a logarithmic axis 0.2, 1 and 30, not by powers of ten."""
+    from matplotlib.ticker import LogFormatter, StrMethodFormatter
+
+    class Plain(LogFormatter):
+        """Chooses like its base which ticks get a label."""
+
+        def __call__(self, x, pos=None):
+            return f"{x:g}" if super().__call__(x, pos) else ""
+
+    axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axis.set_minor_formatter(Plain(minor_thresholds=(1.2, 0.4)))
+
+
+def plans(ax, truth, paths, look):
+    """Draw the paths of several systems from above, and the truth below them.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    truth : (N, 2) array
+        Positions in meters.
+    paths : dict of str to (M, 2) array
+        Of each system, in the frame of the truth.
+    look : dict
+        As `looks` returns it.
+    """
+    wide = {"linewidth": 4, "alpha": 0.25, "zorder": 1}
+    ax.plot(*np.asarray(truth).T, **LOOK["truth"] | wide)
+    for k, name in enumerate(look):
+        if name in paths:
+            xy = np.asarray(paths[name])
+            ax.plot(*xy.T, **_sparse(look[name], k, len(xy)))
+    ax.set(xlabel="x [m]", ylabel="y [m]")
+    ax.set_aspect("equal", adjustable="datalim")
+
+
+def series(ax, x, values, look, xlabel, ylabel, log=False):
+    """Draw one line per system.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    x : (T,) array
+        Abscissas of all.
+    values : dict of str to (T,) array
+        Of each system; gaps where nan.
+    look : dict
+        As `looks` returns it.
+    xlabel, ylabel : str
+        With units.
+    log : bool
+        Whether the vertical axis is logarithmic.
+    """
+    for k, name in enumerate(look):
+        if name in values:
+            ax.plot(x, values[name], **_sparse(look[name], k, len(x)))
+    ax.set(xlabel=xlabel, ylabel=ylabel)
+    if log:
+        ax.set_yscale("log")
+        _plain_numbers(ax.yaxis)
+    else:
+        ax.set_ylim(0, None)
+
+
+def band(ax, x, lower, upper, expected, confidence=0.95):
+    """Draw a band, its limits and what is expected in it, below what else is drawn.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    x : (T,) array
+        Abscissas.
+    lower, upper : (T,) array
+        Limits of the band.
+    expected : float
+        Drawn as a line.
+    confidence : float
+        For the legend.
+    """
+    ax.fill_between(x, lower, upper, color=LOOK["bound"]["color"], alpha=0.25, linewidth=0)
+    label = f"{100 * confidence:g} % band"
+    thin = {"linewidth": 1, "zorder": 1.5}
+    ax.plot(x, lower, **LOOK["bound"] | thin | {"label": label})
+    ax.plot(x, upper, **LOOK["bound"] | thin | {"label": "_"})
+    ax.axhline(expected, color=BLACK, linewidth=0.8, zorder=1.5, label="expected")
+
+
+def closure_curves(ax, recall, precision, accepted, look):
+    """Draw precision over recall of several systems, and where each one works.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    recall : (R,) array
+        Levels, increasing.
+    precision : dict of str to (R,) array
+        Of each system.
+    accepted : dict of str to (float, float)
+        Recall and precision of what a system accepted.
+    look : dict
+        As `looks` returns it.
+    """
+    for k, name in enumerate(look):
+        if name in precision:
+            ax.plot(recall, precision[name], **_sparse(look[name], k, len(recall)))
+        if name in accepted:
+            point = {"linestyle": "none", "markersize": 11, "markerfacecolor": "none"}
+            ax.plot(*accepted[name], **look[name] | point | {"label": "_", "markeredgewidth": 2})
+    ax.set(xlabel="recall", ylabel="precision", xlim=(-0.02, 1.02), ylim=(-0.02, 1.05))
+
+
+def latency_tails(ax, tails, look):
+    """Draw which part of the frames takes longer than a time, both axes logarithmic.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    tails : dict of str to ((T,) array, (T,) array)
+        Of each system: milliseconds, increasing, and the part of the frames above them.
+    look : dict
+        As `looks` returns it.
+    """
+    for k, name in enumerate(look):
+        if name in tails:
+            ms, part = tails[name]
+            steps = {"drawstyle": "steps-post"}
+            ax.plot(ms, part, **_sparse(look[name], k, len(ms)) | steps)
+    for part, text in ((0.05, "P95"), (0.01, "P99")):
+        ax.axhline(part, color="0.45", linewidth=1, linestyle=":")
+        ax.text(1, part, f" {text}", transform=ax.get_yaxis_transform(), va="center", fontsize=9)
+    ax.set(xscale="log", yscale="log", ylim=(1e-3, 1.2))
+    _plain_numbers(ax.xaxis)
+    _plain_numbers(ax.yaxis)
+    ax.set(xlabel="time of a frame [ms]", ylabel="part of the frames above")
+
+
+def intervals(ax, groups, values, look, xlabel, log=False):
+    """Draw numbers with intervals, a row for each group and a marker for each system in it.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    groups : sequence of str
+        From top to bottom.
+    values : dict of (str, str) to (float, float, float)
+        For group and system the number and its limits; nan where there is none.
+    look : dict
+        As `looks` returns it.
+    xlabel : str
+        With its unit.
+    log : bool
+        Whether the horizontal axis is logarithmic.
+    """
+    places = {name: k for k, name in enumerate(look)}
+    height = 0.7 / max(1, len(places))
+    for name, k in places.items():
+        rows = [
+            (j, *values[group, name]) for j, group in enumerate(groups) if (group, name) in values
+        ]
+        if not rows:
+            continue
+        j, x, low, high = np.array(rows).T
+        y = j + (k - (len(places) - 1) / 2) * height
+        reach = np.nan_to_num([x - low, high - x])
+        ax.errorbar(x, y, xerr=reach, capsize=2, **look[name] | {"linestyle": "none"})
+    ax.set(yticks=range(len(groups)), yticklabels=groups, xlabel=xlabel)
+    ax.set_ylim(len(groups) - 0.5, -0.5)
+    if log:
+        ax.set_xscale("log")
+        _plain_numbers(ax.xaxis)
+    else:
+        ax.set_xlim(0, None)
+    for j in range(len(groups) - 1):
+        ax.axhline(j + 0.5, color="0.8", linewidth=0.8)

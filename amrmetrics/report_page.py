@@ -60,6 +60,9 @@ figcaption { font-size: .9rem; }
 }
 """
 
+# The page and what it links to work offline: a browser is told to fetch nothing for it.
+POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+
 # All columns of a table of several have to fit on paper.
 LANDSCAPE = "@page { size: landscape; margin: 1cm; }"
 
@@ -103,25 +106,42 @@ def page(result: Report | Reports) -> str:
         parts.append(f"<p>Figures are shown of the {DRAWN} best; one alone has them always.</p>")
     for k, report in enumerate(reports):
         parts.append(f"<h2>{escape(report._title())}</h2>" if several else "")
-        parts += [_notes(report), _table(report), *(_figures(report) if k < DRAWN else ())]
+        parts += [note(report.notes), _table(report), *(_figures(report) if k < DRAWN else ())]
     conventions = "".join(f"<p>{escape(text)}</p>" for text in CONVENTIONS)
-    style = STYLE + (LANDSCAPE if several else "")
-    heading = escape(f"{title} against {reports[0].reference_name}")
+    parts.append(f"<h2>How to read the numbers</h2>{conventions}")
+    heading = f"{title} against {reports[0].reference_name}"
+    return document(heading, parts, LANDSCAPE if several else "")
+
+
+def document(heading, parts, style=""):
+    """Return a page of these parts, HTML texts, that asks no other place for anything.
+
+    Parameters
+    ----------
+    heading : str
+        Its title, plain text.
+    parts : sequence of str
+        HTML, one below the other; empty ones are left out.
+    style : str
+        More CSS.
+    """
     from amrmetrics import __version__
 
+    heading = escape(heading)
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{heading}</title><style>{style}</style></head><body>\n<h1>{heading}</h1>\n"
+        f"<title>{heading}</title><style>{STYLE}{style}</style></head><body>\n<h1>{heading}</h1>\n"
         + "\n".join(part for part in parts if part)
-        + f"\n<h2>How to read the numbers</h2>{conventions}"
-        f"<p>Made by amrmetrics {__version__}.</p></body></html>\n"
+        + f"\n<p>Made by amrmetrics {__version__}.</p></body></html>\n"
     )
 
 
-def _notes(report):
-    notes = "".join(f"<li>{escape(note)}</li>" for note in report.notes)
-    return f'<div class="note"><ul>{notes}</ul></div>' if notes else ""
+def note(texts):
+    """Return a box with these sentences, plain text, or nothing if there are none."""
+    items = "".join(f"<li>{escape(text)}</li>" for text in texts)
+    return f'<div class="note"><ul>{items}</ul></div>' if items else ""
 
 
 def _table(report):
@@ -159,47 +179,39 @@ def _cell(value):
 
 def _figures(report):
     """Return the figures of a report as HTML."""
-    try:
-        from matplotlib.figure import Figure
-
-        from amrmetrics import plotting
-    except ImportError:
-        raise AmrError("the page needs Matplotlib: pip install 'amrmetrics[plot]'.") from None
+    plotting = with_matplotlib()
     error, p, q = report.ate, report.reference, report.estimate
     aligned = report.alignment.apply(q.positions)
     worst = int(error.series.argmax())
 
     def drawn(draw, size=(7.2, 3.4)):
-        with plotting.plt.rc_context(plotting.STYLE):
-            figure = Figure(figsize=size, layout="constrained")
-            draw(figure.subplots())
-            return figure
+        return picture(lambda figure: draw(figure.subplots()), size)
 
-    yield _figure(
+    yield image(
         drawn(lambda ax: plotting.error_plan(ax, p.positions, aligned, error.series), (7.2, 5)),
         f"The path from above, the estimate in the color of its error. The largest, "
         f"{error.max:.3g} m, is at x = {aligned[worst, 0]:.4g} m, y = {aligned[worst, 1]:.4g} m.",
     )
     if p.stamps is not None:
         t = p.stamps - p.stamps[0]
-        yield _figure(
+        yield image(
             drawn(lambda ax: plotting.error_series(ax, error, t)),
             f"ATE over time: rmse {error.rmse:.3g} m, the largest {error.max:.3g} m at "
             f"{t[worst]:.4g} s.",
         )
     along = np.r_[0, np.cumsum(np.linalg.norm(np.diff(p.positions, axis=0), axis=1))]
-    yield _figure(
+    yield image(
         drawn(lambda ax: plotting.error_series(ax, error, along, "distance along the path [m]")),
         f"ATE along the path of {along[-1]:.4g} m; the largest error is at {along[worst]:.4g} m.",
     )
-    yield _figure(
+    yield image(
         drawn(lambda ax: plotting.error_histogram(ax, error)),
         f"How often which ATE occurs: half are below {error.median:.3g} m, 95 % below "
         f"{error.p95:.3g} m.",
     )
     deltas, values = _over_stretches(p, q, along[-1]) if report.rpe else ((), ())
     if len(deltas) > 1:
-        yield _figure(
+        yield image(
             drawn(lambda ax: plotting.relative_errors(ax, deltas, values)),
             f"RPE against the length of the stretch: from {values[0]:.3g} m over {deltas[0]:.3g} m "
             f"to {values[-1]:.3g} m over {deltas[-1]:.3g} m.",
@@ -218,7 +230,28 @@ def _over_stretches(p, q, length):
     return tuple(zip(*found, strict=True)) or ((), ())
 
 
-def _figure(figure, alt):
+def with_matplotlib():
+    """Return the module that draws, or say what is missing."""
+    try:
+        from amrmetrics import plotting
+    except ImportError:
+        raise AmrError("the page needs Matplotlib: pip install 'amrmetrics[plot]'.") from None
+    return plotting
+
+
+def picture(draw, size):
+    """Return a figure of the course's look, of so many inches, that `draw` was called with."""
+    from matplotlib.figure import Figure
+
+    plotting = with_matplotlib()
+    with plotting.plt.rc_context(plotting.STYLE):
+        figure = Figure(figsize=size, layout="constrained")
+        draw(figure)
+        return figure
+
+
+def image(figure, alt):
+    """Return a figure as HTML with its text, all in one."""
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", dpi=110, metadata={"Software": None})
     png = base64.b64encode(buffer.getvalue()).decode()
