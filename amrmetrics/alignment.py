@@ -18,6 +18,7 @@ from amrmetrics._arguments import (
     as_poses,
     as_position_pair,
     as_positions,
+    block_squares,
     blocks,
     lengths,
 )
@@ -193,7 +194,8 @@ def fit(p, q, mode, first=None, origin=None):
 
     Only the `first` ones are used to find it, all of them by default; `origin` has the first
     poses for the mode of this name. Positions are worked on in blocks that stay in the
-    processor's cache, without BLAS, whose threads wait for each other on a busy machine.
+    processor's cache, and too few for the threads of BLAS, which wait for each other on a busy
+    machine.
     """
     if mode not in MODES:
         raise AmrError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}.")
@@ -240,13 +242,13 @@ def _moments(p, q):
     """Return the means, the sums of squares about them and K = sum (p - mean)(q - mean)^T."""
     n, d = p.shape
     # About a point near the mean no digits are lost, not even at map coordinates of 5e6 m.
-    some = slice(None, None, max(1, n // SOME))
-    near = [x[some][0] + (x[some] - x[some][0]).mean(axis=0) for x in (p, q)]
+    some = [np.ascontiguousarray(x[:: max(1, n // SOME)]) for x in (p, q)]
+    near = [x[0] + (x - x[0]).mean(axis=0) for x in some]
     sums, squares, K = np.zeros((2, d)), np.zeros(2), np.zeros((d, d))
     for _, P, Q in _blocks_of(p, q, *near):
-        sums += P.sum(axis=1), Q.sum(axis=1)
-        squares += _sum_of_squares(P), _sum_of_squares(Q)
-        K += np.einsum("in,jn->ij", P, Q)
+        sums += np.einsum("in->i", P), np.einsum("in->i", Q)
+        squares += block_squares(P), block_squares(Q)
+        K += np.vecdot(P[:, None], Q)
     rest = sums / n
     squares = np.maximum(squares - n * (rest**2).sum(axis=1), 0)
     return *(near + rest), *squares, K - n * np.outer(*rest)
@@ -282,6 +284,11 @@ def _rotation(K):
     sign = np.sign(np.linalg.det(U) * np.linalg.det(Vt))
     U[:, -1] *= sign
     return U @ Vt, U[:, 0], sigma[-2] + sign * sigma[-1]
+
+
+def nearest_rotation(K):
+    """Return the rotation R that makes trace(R^T K) largest."""
+    return _rotation(K)[0]
 
 
 def _sum_of_squares(x):

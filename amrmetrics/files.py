@@ -506,7 +506,11 @@ def write_tum(path: Path, stamps: ArrayLike, X: ArrayLike | None = None) -> None
     """
     stamps, X = as_recording(stamps, X, "stamps", "X")
     X = _spatial(X)
-    _write_table(path, np.column_stack([stamps, X[:, :3, 3], _quaternions(X[:, :3, :3])]))
+    tables = (
+        np.column_stack([stamps[k], X[k, :3, 3], _quaternions(X[k, :3, :3])])
+        for k in blocks(len(X))
+    )
+    _write_tables(path, tables)
 
 
 def write_kitti(path: Path, X: ArrayLike) -> None:
@@ -542,7 +546,8 @@ def write_kitti(path: Path, X: ArrayLike) -> None:
     >>> bool((am.read_kitti(path).poses == np.eye(4)).all())
     True
     """
-    _write_table(path, _spatial(as_poses(X, "X"))[:, :3].reshape(-1, 12))
+    X = _spatial(as_poses(X, "X"))
+    _write_tables(path, (X[k, :3].reshape(-1, 12) for k in blocks(len(X))))
 
 
 def _spatial(X):
@@ -560,7 +565,7 @@ def _quaternions(R):
     Four times the matrix q q^T is linear in R; each of its rows is a multiple of q, and the one
     with the largest diagonal entry the best conditioned.
     """
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = np.moveaxis(R, 0, -1)
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = np.moveaxis(R, 0, -1).copy()
     Q = np.array(
         [
             [1 + xx - yy - zz, xy + yx, xz + zx, zy - yz],
@@ -574,12 +579,12 @@ def _quaternions(R):
     return q / np.linalg.norm(q, axis=1)[:, None]
 
 
-def _write_table(path, table):
+def _write_tables(path, tables):
     opener = gzip.open if str(path).endswith(".gz") else open
     lines = _lines_by_orjson if _orjson() else _lines
     with opener(path, "wb") as file:
-        for block in blocks(len(table)):
-            file.write(lines(table[block]))
+        for table in tables:
+            file.write(lines(table))
 
 
 def _lines(table):
@@ -588,10 +593,15 @@ def _lines(table):
 
 
 def _lines_by_orjson(table):
-    """Return the same ten times as fast."""
+    """Return the same ten times as fast: a list of numbers, each comma of which is replaced."""
     orjson = _orjson()
-    text = orjson.dumps(np.ascontiguousarray(table), option=orjson.OPT_SERIALIZE_NUMPY)
-    return text[2:-2].replace(b"],[", b"\n").replace(b",", b" ") + b"\n"
+    text = bytearray(orjson.dumps(table.ravel(), option=orjson.OPT_SERIALIZE_NUMPY))
+    letters = np.frombuffer(text, np.uint8)
+    commas = np.flatnonzero(letters == ord(","))
+    letters[commas] = ord(" ")
+    letters[commas[table.shape[1] - 1 :: table.shape[1]]] = ord("\n")
+    letters[-1] = ord("\n")
+    return memoryview(text)[1:]
 
 
 def _orjson():

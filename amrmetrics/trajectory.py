@@ -202,11 +202,12 @@ def _root_mean_square(series):
 class Compared:
     """Two trajectories of which an ATE was taken, for what is only computed when it is read.
 
-    They are not copied; a sample of them tells whether they are still the same.
+    They are not copied; a sample of them tells whether they are still the same. `body` is the
+    frame of the body that the estimate was moved to before.
     """
 
-    def __init__(self, reference, estimate, stamps):
-        self._pair, self.stamps = (reference, estimate), stamps
+    def __init__(self, reference, estimate, stamps, body=None):
+        self._pair, self.stamps, self.body = (reference, estimate), stamps, body
         self._sample = self._sampled()
 
     def _sampled(self):
@@ -447,7 +448,7 @@ def ate(
         series=series,
         alignment=alignment,
         coverage=coverage,
-        compared=Compared(reference, estimate, stamps),
+        compared=Compared(reference, estimate, stamps, body),
     )
 
 

@@ -14,14 +14,21 @@ def test_runs_and_says_what_it_measured(tmp_path, capsys, monkeypatch):
         "\nATE of positions planar",
         "RPE spatial, 1 m",
         "associate",
-        "read_tum",
+        "\nread_tum  ",
         "chamfer",
         "precision_recall",
     ):
         assert said.count(row) == 1
     assert said.count("Manhattan world  ") == 2
     for where in ("alone", "busy core"):
-        assert said.count(f"{where:10} ATE of poses spatial") == 1
+        rows = [row for row in said.splitlines() if row.startswith(f"{where:10} ")]
+        assert sum("ATE of poses spatial" in row and row.endswith("  evo") for row in rows) == 1
+        assert sum(row.split()[-1] == "pandas" for row in rows) == 1
+        assert said.count(f" {where}, ATE of positions spatial: ") == 1
+        assert said.count(f" {where}, ATE translation of poses spatial: ") == 1
+    assert "times faster than\n" in said
+    assert "times faster than evo (at least 300)" in said
+    assert "times the time of positions (at most 2)" in said
     for row in ("microseconds a frame", "latency, correlated", "compare_bootstrap, 1e4"):
         assert said.count(row) == 1
     assert "from 800 to 1600 edges, time per iteration grows like" in said

@@ -10,8 +10,9 @@ all times are medians of processor time, which other programs disturb least. The
 is what memory allows: no method reads it faster. NumPy has its default threads, as users have it.
 
 Then the trajectories once more by the clock on the wall, first alone and then beside a process that
-keeps a core busy: threads that wait for each other are slow there. The peers are evo and, where it
-is installed, the compiled metrics of kiss-icp, which has ATE and segment errors of poses.
+keeps a core busy: threads that wait for each other are slow there. The peers are evo and, where
+they are installed, the compiled metrics of kiss-icp, which has ATE and segment errors of poses, and
+pandas and polars, which read and write tables of numbers.
 
 The peer of threshold curves of closures is scikit-learn, too. Pose graphs have a table of their
 own: Manhattan worlds from dead reckoning, against gtsam's Levenberg-Marquardt optimizer from a
@@ -65,6 +66,16 @@ try:
 except ImportError:  # nothing else needs it, and no lock has it
     kiss_icp = None
 
+try:
+    import pandas
+except ImportError:
+    pandas = None
+
+try:
+    import polars
+except ImportError:  # nothing else needs it, either
+    polars = None
+
 SIZES = (1_000, 10_000, 100_000, 1_000_000)
 CLOCKED_SIZE = 100_000
 PLOT = Path(__file__).resolve().parent.parent / "build" / "bench.png"
@@ -85,6 +96,14 @@ TARGETS = {
     "associate": (150, None),
 }
 CLOCKED = tuple(TARGETS)[:5]
+# The same by the clock on the wall, and against other peers: at least so many times faster.
+CLOCKED_TARGETS = {
+    ("ATE of poses spatial", "kiss-icp"): 1,
+    ("segments", "kiss-icp"): 1,
+    ("read_tum", "pandas"): 1 / 1.5,
+    ("write_tum", "polars"): 1 / 3,
+}
+TRANSLATION = "ATE translation of poses"
 
 
 def walk(rng, n, d):
@@ -375,33 +394,77 @@ def busy_core():
 
 
 def measure_clocked(n, folder):
-    """Print wall times of trajectories alone and beside a busy core, and their ratios."""
-    print(f"\nby the wall clock, N = {n}{'':12}{'ours':>9} {'peer':>11} {'ratio':>7}")
+    """Print wall times of trajectories alone and beside a busy core, how many times faster they are
+    than each peer, and the targets.
+    """
+    print(f"\nby the wall clock, N = {n}, alone and beside a process that keeps a core busy")
+    print(f"{'':10} {'':24} {'ours':>10} {'peer':>12}  times faster than")
+    verdicts = []
     for where, around in (("alone", contextlib.nullcontext), ("busy core", busy_core)):
         with around():
-            for name, arrays, ours, prepare, theirs in clocked_jobs(n, folder):
+            found = {}
+            for name, peer, arrays, ours, prepare, theirs in clocked_jobs(n, folder):
                 mine = float(np.median(seconds(partial(ours, *arrays), time.perf_counter)))
-                peer, _ = peer_seconds(prepare, theirs, time.perf_counter)
+                other, _ = peer_seconds(prepare, theirs, time.perf_counter)
+                found[name, peer] = mine
                 print(
-                    f"{where:10} {name:28} {1e3 * mine:7.2f} ms {1e3 * peer:8.1f} ms "
-                    f"{peer / mine:7.1f}",
+                    f"{where:10} {name:24} {1e3 * mine:7.2f} ms {1e3 * other:9.1f} ms "
+                    f"{other / mine:8.2f}  {peer}",
                     flush=True,
                 )
+                least = CLOCKED_TARGETS.get((name, peer)) or next(
+                    (TARGETS[key][0] for key in CLOCKED if name.startswith(key)), None
+                )
+                if least and n == CLOCKED_SIZE:
+                    met = "met   " if other / mine >= least else "MISSED"
+                    verdicts.append(
+                        f"{met} {where}, {name}: {other / mine:.2f} times faster than {peer} (at "
+                        f"least {least:.3g})"
+                    )
+            places, poses = (
+                found[f"{name} spatial", "evo"] for name in ("ATE of positions", TRANSLATION)
+            )
+            met = "met   " if poses <= 2 * places else "MISSED"
+            verdicts.append(
+                f"{met} {where}, {TRANSLATION} spatial: {poses / places:.2f} times the time of "
+                "positions (at most 2)"
+            )
+    print("\n".join(verdicts))
+
+
+def tum_table(t, X):
+    """Return the numbers of a TUM file."""
+    return np.column_stack([t, X[:, :3, 3], Rotation.from_matrix(X[:, :3, :3]).as_quat()])
 
 
 def clocked_jobs(n, folder):
-    """Yield trajectory jobs, and those that the compiled metrics of kiss-icp have, too."""
+    """Yield (name, peer, arrays, our call, preparation, the peer's call) of trajectories and files.
+
+    Peers other than evo are left out where they are not installed.
+    """
     for name, *job in jobs(np.random.default_rng(n), n, folder):
         if name.startswith(CLOCKED):
-            yield name, *job
-    if kiss_icp is None:
-        return
+            yield name, "evo", *job
     X, Y = walk(np.random.default_rng(n), n, 3)
-    for name, ours, theirs in (
-        ("ATE of poses, kiss-icp", our_ate, kiss_icp.absolute_trajectory_error),
-        ("segments, kiss-icp", am.segment_drift, kiss_icp.sequence_error),
-    ):
-        yield name, (X, Y), ours, lambda: (X, Y), theirs
+    translation = partial(evo_ate, relations=RELATIONS[:1])
+    prepare = partial(map, evo_path, (X, Y))
+    yield f"{TRANSLATION} spatial", "evo", (X, Y), lambda *x: am.ate(*x).rmse, prepare, translation
+    if kiss_icp is not None:
+        for name, ours, theirs in (
+            ("ATE of poses spatial", our_ate, kiss_icp.absolute_trajectory_error),
+            ("segments", am.segment_drift, kiss_icp.sequence_error),
+        ):
+            yield name, "kiss-icp", (X, Y), ours, lambda: (X, Y), theirs
+    t, path = 1.3e9 + np.arange(n) / 100, folder / "run.txt"
+    am.write_tum(path, t, X)
+    if pandas is not None:
+        read = partial(pandas.read_csv, sep=" ", header=None)
+        yield "read_tum", "pandas", (), lambda: am.read_tum(path), lambda: [path], read
+    if polars is not None:
+        table = polars.DataFrame(tum_table(t, X))
+        copy = folder / "copy.txt"
+        write = partial(table.write_csv, separator=" ", include_header=False)
+        yield "write_tum", "polars", (path, t, X), am.write_tum, lambda: [copy], write
 
 
 def show_row(name, n, mine, peer, copy, each, size):
