@@ -30,6 +30,8 @@ from .errors import RecordingWarning as RecordingWarning
 from .evaluation import Report as Report
 from .evaluation import Reports as Reports
 from .evaluation import evaluate as evaluate
+from .extrinsics import LeverArm as LeverArm
+from .extrinsics import lever_arm as lever_arm
 from .files import read as read
 from .files import read_euroc as read_euroc
 from .files import read_kitti as read_kitti

@@ -6,10 +6,11 @@ offset), compared with an estimate that may turn freely, and if little is left a
 
 import numpy as np
 
-from amrmetrics.alignment import fit
+from amrmetrics.alignment import fit, nearest_rotation
 from amrmetrics.errors import AmrError
+from amrmetrics.extrinsics import solve
 from amrmetrics.pairs import orientation_errors
-from amrmetrics.poses import angle_of, inverse
+from amrmetrics.poses import angle_of, inverse, positions
 from amrmetrics.stamps import as_gap, between_samples, in_gap
 
 # An ATE below this part of the size of the path is not large, nor a rotation error below this.
@@ -35,6 +36,11 @@ SAME_ANGLE = 1e-6
 STRAIGHT = 1e-3
 # Axes that differ by less are called the same in the words of a note.
 ALONG = np.cos(np.radians(10))
+# Slope of the steepest drift in height that is tried, and parts of it.
+STEEPEST = 0.5
+SLOPES = np.linspace(-1, 1, 41)
+# Samples that a drift, and a lever arm, is found from.
+SOME, MANY = 1000, 10_000
 # Steps of the search for a clock offset.
 STEPS = 20
 
@@ -57,7 +63,8 @@ def likely_causes(summary):
         found = [
             mirrored,
             _other_frame(summary, best, size, p, q),
-            _other_scale(best, left, p, q),
+            _other_scale(summary, best, left, p, q),
+            _other_point(summary, best, left, size, p, q),
             _inverse_poses(best, left, p, Y),
             _late(summary.compared.stamps, best, min(HALF * off, FITS * size), p, q),
         ]
@@ -105,6 +112,8 @@ def _other_frame(summary, best, size, p, q):
     half = _fitted(p, q, "rigid", len(p) // 2)
     if not half or _rest(half, p, q) > min(FIFTH * summary.rmse, FITS * size):
         return None
+    if best.rmse > HALF * _drift_in_height(summary, summary.alignment.mode, p, q):
+        return None
     names, R = "xyz"[: len(best.rotation)], best.rotation
     axes = [_named(column, names) for column in R.T]
     turn = float(angle_of(R @ summary.alignment.rotation.T))
@@ -127,16 +136,90 @@ def _named(column, names):
     return None if abs(column[k]) < ALONG else ("-" if column[k] < 0 else "") + names[k]
 
 
-def _other_scale(best, left, p, q):
+def _other_scale(summary, best, left, p, q):
     if best.mode == "similarity":
         return None
     found = _fitted(p, q, "similarity")
-    if found and found.rmse <= left:
-        return (
-            f"scaled by {found.scale:.4g}, the estimate fits to {found.rmse:.3g} m: its unit or "
-            "its scale is wrong"
-        )
-    return None
+    if not found or found.rmse > left:
+        return None
+    if found.rmse > HALF * _drift_in_height(summary, best.mode, p, q):
+        return None
+    return (
+        f"scaled by {found.scale:.4g}, the estimate fits to {found.rmse:.3g} m: its unit or its "
+        "scale is wrong"
+    )
+
+
+def _drift_in_height(summary, mode, p, q):
+    """Return what is left, in meters, if the height drifts with the time or with the way.
+
+    Along a nearly straight path that looks like a tilted frame, and then like another scale.
+    """
+    if p.shape[1] == 2:
+        return np.inf
+    some = slice(None, None, max(1, len(p) // SOME))
+    t, (p, q) = summary.compared.stamps, (x[some] for x in (p, q))
+    way = np.linalg.norm(np.diff(p, axis=0, prepend=p[:1]), axis=1).cumsum()
+    time = np.arange(len(p)) if t is None else t[some] - t[0]
+    return min(_left_by_drift(way[-1] * x / x[-1], mode, p, q) for x in (time, way))
+
+
+def _left_by_drift(drift, mode, p, q):
+    def left(slope):
+        found = _fitted(p + np.multiply.outer(slope * drift, (0, 0, 1)), q, mode)
+        return found.rmse if found else np.inf
+
+    best, width = 0.0, STEEPEST
+    for _ in range(3):
+        best = min(best + width * SLOPES, key=left)
+        width *= SLOPES[-1] - SLOPES[-2]
+    return left(best)
+
+
+def _other_point(summary, best, left, size, p, q):
+    """Test a lever arm on the first half of the run: drift fits there and not after it."""
+    X, Y = summary.compared.pair
+    if X.ndim == 2:
+        return None
+    some = slice(None, None, max(1, len(p) // MANY))
+    try:
+        oriented = Y[some] if Y.ndim == 3 else None
+        arm = solve(X[some], p[some], q[some], best.mode, oriented)
+        if arm.rmse > left or np.linalg.norm(arm.offset) > HALF * size:
+            return None
+        half = slice(None, len(p) // 2, some.step)
+        first = solve(X[half], p[half], q[half], best.mode)
+    except AmrError:
+        return None
+    if _rest(first.alignment, positions(first.apply(X)), q) > left:
+        return None
+    axes = ", ".join(map(_rounded, arm.offset))
+    text = (
+        f"the estimate's point lies at ({axes}) m in the reference's body frame, a lever arm; "
+        f"without it, the estimate fits to {arm.rmse:.3g} m"
+    )
+    if arm.turn is None:
+        return f"{text} (see lever_arm)"
+    given = summary.compared.body
+    if given is None:
+        how, body = "body=arm.body", arm.body
+    else:
+        how, body = "body=body @ arm.body", given @ arm.body
+    return (
+        f"{text}: {how} with arm = lever_arm(reference, estimate, {best.mode!r}), --body "
+        f'"{_spoken(body)}"'
+    )
+
+
+def _spoken(body):
+    """Return a pose as the command takes it."""
+    from scipy.spatial.transform import Rotation
+
+    if len(body) == 4:
+        turn = Rotation.from_matrix(body[:3, :3]).as_quat()
+    else:
+        turn = [np.arctan2(body[1, 0], body[0, 0])]
+    return " ".join(f"{x:.6g}" for x in (*body[:-1, -1].round(4), *turn))
 
 
 def _inverse_poses(best, left, p, Y):
@@ -175,8 +258,8 @@ def _late(t, best, left, p, q):
     if found.rmse > left or not without or found.rmse > HALF * without.rmse:
         return None
     return (
-        f"with offset={offset:.4g} s in match (--offset), the estimate fits to {found.rmse:.3g} m: "
-        "the clocks differ"
+        f"with {offset:+.4g} s added to the offset of match (--offset), the estimate fits to "
+        f"{found.rmse:.3g} m: the clocks differ"
     )
 
 
@@ -241,16 +324,10 @@ def _mean_turn(X, Y, R):
 def _constant_turn(X, Y, R):
     """Return the rotation of the body frame that brings R Y closest to X."""
     d = len(R)
-    return _rotation_nearest(np.einsum("nji,jk,nkl->il", Y[:, :d, :d], R.T, X[:, :d, :d]))
+    return nearest_rotation(np.einsum("nji,jk,nkl->il", Y[:, :d, :d], R.T, X[:, :d, :d]))
 
 
 def _nearest_turn(X, Y):
     """Return the rotation of the world that brings the orientations of Y closest to X."""
     d = X.shape[1] - 1
-    return _rotation_nearest(np.einsum("nij,nkj->ik", X[:, :d, :d], Y[:, :d, :d]))
-
-
-def _rotation_nearest(M):
-    U, _, Vt = np.linalg.svd(M)
-    U[:, -1] *= np.linalg.det(U) * np.linalg.det(Vt)
-    return U @ Vt
+    return nearest_rotation(np.einsum("nij,nkj->ik", X[:, :d, :d], Y[:, :d, :d]))

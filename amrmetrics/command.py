@@ -5,6 +5,7 @@ import csv
 import io
 import json
 import os
+import re
 import sys
 import warnings
 
@@ -26,6 +27,7 @@ exit codes: 0 done, 2 something was wrong, and the last line says what
 # What messages of the library advise, and how it is said here.
 OPTIONS = {
     "mode='": "--align '",
+    'first: columns="': 'first: --columns "',
     "try offset=": "try --offset ",
     "max_difference=": "--max-difference ",
     "read_kitti(path, times=...)": "--times",
@@ -55,6 +57,7 @@ def main(arguments=None):
 
 def _in_words_of_the_command(text):
     """Return a message of the library with the options that do what it advises."""
+    text = re.sub(r'amrmetrics\.read\(path, columns=("[^"]*")\)', r"--columns \1", text)
     for name, option in OPTIONS.items():
         text = text.replace(name, option)
     return text
@@ -177,6 +180,10 @@ def _read(path, options):
         return read_bag(path[:at], path[at + 1 :])
     if is_bag(path):
         raise AmrError(f"{path} is a bag; say which topic, such as {path}:/odom.")
+    if options.format != "auto" and options.columns:
+        raise AmrError("--columns says what the files are; leave out --format.")
+    if options.format in ("tum", "euroc") and options.times:
+        raise AmrError(f"--times are the stamps of KITTI files, and --format is {options.format}.")
     if options.format == "kitti":
         return files.read_kitti(path, options.times, options.strict)
     if options.format == "tum":

@@ -13,10 +13,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from amrmetrics._arguments import as_numbers
 from amrmetrics._results import Result
 from amrmetrics.alignment import Alignment
 from amrmetrics.errors import AmrError
 from amrmetrics.files import read
+from amrmetrics.interruptions import Jumps, LostTime, jumps, lost_time
 from amrmetrics.matching import Coverage, match
 from amrmetrics.poses import project
 from amrmetrics.recording import Trajectory
@@ -41,6 +43,9 @@ if TYPE_CHECKING:
 DELTAS = ((1, "frames"), (1, "s"), (0.1, "m"), (1, "m"), (10, "m"), (100, "m"))
 # A run is this many times as long as a stretch at least.
 LONG_ENOUGH = 4
+PLANES = ("xy", "xz", "yz")
+# Standard errors of an estimated clock offset by which stamps may differ because of it.
+DEVIATIONS = 2
 # Pairs of runs from which a comparison can show something at 95 %.
 ENOUGH_RUNS = 6
 
@@ -69,6 +74,12 @@ class Report(Result):
         ATE per meter.
     segments : SegmentDrift or None
         KITTI's drift of segments, where the path is long enough.
+    jumps : Jumps or None
+        Steps in which the estimate moves far from the reference's motion, the worst with its
+        time; None of a single sample. `Jumps` says what counts.
+    lost_seconds : LostTime or None
+        Time of the reference without a matched estimate, and the longest stretch; None without
+        stamps. `LostTime` says what counts.
     skipped : dict of str to str
         What could not be computed, and why.
     notes : tuple of str
@@ -87,6 +98,8 @@ class Report(Result):
     rpe: tuple
     drift_rate: DriftRate | None
     segments: SegmentDrift | None
+    jumps: Jumps | None
+    lost_seconds: LostTime | None
     skipped: dict
     notes: tuple
     reference: Trajectory
@@ -112,6 +125,8 @@ class Report(Result):
             "drift_rate": self.drift_rate and self.drift_rate.rate,
             "path_length": self.drift_rate and self.drift_rate.path_length,
             "segments": self.segments and self.segments.as_dict(),
+            "jumps": None if self.jumps is None else self.jumps.as_dict(),
+            "lost_seconds": None if self.lost_seconds is None else self.lost_seconds.as_dict(),
             "skipped": self.skipped,
             "notes": list(self.notes),
         }
@@ -146,6 +161,10 @@ class Report(Result):
             s = self.segments
             text = f"{s.translation_percent:.4g} %, {s.rotation_deg_per_100m:.4g} deg/100 m"
             rows.append(("segment drift", f"{text}, n {s.n}"))
+        if self.jumps is not None:
+            rows.append(("jumps", repr(self.jumps)))
+        if self.lost_seconds is not None:
+            rows.append(("lost time", repr(self.lost_seconds)))
         rows += [(f"no {what}", why) for what, why in self.skipped.items()]
         return rows + [("note", note) for note in self.notes]
 
@@ -259,7 +278,9 @@ def evaluate(
     max_difference, interpolate, max_gap
         As in `match`.
     offset : float or "auto"
-        Seconds, added to the estimate's stamps; "auto" estimates it with `clock_offset`.
+        Seconds, added to the estimate's stamps; "auto" estimates it with `clock_offset`, and
+        widens `max_difference` by two of its standard errors, but at most by half a step of the
+        reference.
     plane : {None, "xy", "xz", "yz"}
         Project both to a plane first, as `project`.
 
@@ -274,7 +295,7 @@ def evaluate(
         If the files cannot be read or matched, or the ATE is undefined. Of several
         estimates, only if all fail.
     OSError
-        If a file cannot be opened.
+        If the file of the reference, or of a single estimate, cannot be opened.
 
     References
     ----------
@@ -314,7 +335,7 @@ def evaluate(
     for name, given in named.items():
         try:
             reports[name] = _report(reference, as_trajectory(given, name), name, **options)
-        except AmrError as error:
+        except (AmrError, OSError) as error:
             failures[name] = str(error)
     if not reports:
         raise AmrError(f"no estimate could be evaluated. {next(iter(failures.values()))}")
@@ -337,7 +358,7 @@ def as_trajectory(given, name):
 def _named(estimates):
     """Return the estimates by name: as given, or by file or source, each name once."""
     if isinstance(estimates, dict):
-        return estimates
+        return {str(name): given for name, given in estimates.items()}
     estimates = list(estimates)
     names = [
         os.fspath(x) if isinstance(x, str | os.PathLike) else getattr(x, "source", "")
@@ -366,6 +387,8 @@ def _report(
     plane,
     body,
 ):
+    if plane is not None and plane not in PLANES:
+        raise AmrError(f"plane is {plane!r}; expected one of {', '.join(map(repr, PLANES))}.")
     name = name or estimate.source or "estimate"
     notes = [
         f"{who} repaired: {what}"
@@ -375,6 +398,9 @@ def _report(
     if isinstance(offset, str):
         offset = _estimated_offset(reference, estimate, offset)
         notes.append(f"clock offset estimated: {offset!r}")
+        if not interpolate:
+            max_difference = _widened(max_difference, offset, reference.stamps)
+            notes[-1] += f"; stamps matched up to {max_difference:.3g} s apart because of that"
     if plane is not None:
         reference, estimate = (_projected(x, plane) for x in (reference, estimate))
     if body is not None:
@@ -382,6 +408,7 @@ def _report(
     pair = match(reference, estimate, max_difference, offset, interpolate, max_gap)
     p, q = pair
     error = ate(p, q, align, first=first)
+    error.compared.body = body
     skipped, found = {}, []
     poses = p.poses.ndim == q.poses.ndim == 3
     if poses:
@@ -404,6 +431,8 @@ def _report(
         rpe=tuple(found),
         drift_rate=drift,
         segments=segments,
+        jumps=jumps(p, q, error.alignment, max_gap),
+        lost_seconds=lost_time(reference, p, max_gap),
         skipped=skipped,
         notes=(*notes, *error.notes),
         reference=p,
@@ -415,6 +444,17 @@ def _estimated_offset(reference, estimate, offset):
     if offset != "auto":
         raise AmrError(f'offset is {offset!r}; expected a number of seconds or "auto".')
     return clock_offset(reference, estimate)
+
+
+def _widened(max_difference, offset, stamps):
+    """Return the tolerance for stamps that are off by what an estimated offset may be off by.
+
+    Half a step of the reference is the most: farther away, another pose is as near.
+    """
+    most = float(np.median(np.diff(stamps))) / 2
+    return float(as_numbers(max_difference, "max_difference")) + min(
+        DEVIATIONS * offset.standard_error, most
+    )
 
 
 def _projected(trajectory, plane):
@@ -429,7 +469,7 @@ def _projected(trajectory, plane):
 def _relative_errors(p, q, deltas, skipped):
     """Return the RPE over the stretches asked for, or those that the run is long enough for."""
     if deltas is not None:
-        return [rpe(p, q, delta, unit) for delta, unit in deltas]
+        return [rpe(p, q, *stretch) for stretch in _stretches(deltas)]
     extent = {"frames": len(p), "s": p.duration, "m": p.path_length}
     found = []
     for delta, unit in DELTAS:
@@ -442,6 +482,14 @@ def _relative_errors(p, q, deltas, skipped):
     if not found:
         skipped["RPE"] = "the run is too short for any of the usual stretches"
     return found
+
+
+def _stretches(deltas):
+    """Return pairs of a delta and its unit."""
+    pairs = list(deltas) if np.iterable(deltas) else [deltas]
+    if not all(isinstance(pair, tuple | list) and len(pair) == 2 for pair in pairs):
+        raise AmrError(f"deltas is {deltas!r}; expected pairs such as [(10, 'm'), (1, 's')].")
+    return pairs
 
 
 def _unless_refused(skipped, what, compute):
@@ -469,7 +517,8 @@ def _comparisons(names, reports):
             runs = sorted({*systems[a]} & {*systems[b]})
             if len(runs) >= ENOUGH_RUNS:
                 pairs = [_rmse(reports, systems[s], runs) for s in (a, b)]
-                results[f"{a} - {b}"] = compare_paired(*pairs, failures="worst", unit="m")
+                if not np.isnan(pairs).all():  # there is a worst value
+                    results[f"{a} - {b}"] = compare_paired(*pairs, failures="worst", unit="m")
     return results
 
 
@@ -500,6 +549,8 @@ def row_of(report):
     row["drift_percent"] = report.drift_rate and 100 * report.drift_rate.rate
     row["segment_drift_percent"] = segments and segments.translation_percent
     row["segment_drift_deg_per_100m"] = segments and segments.rotation_deg_per_100m
+    row["jumps"] = None if report.jumps is None else report.jumps.count
+    row["lost_s"] = None if report.lost_seconds is None else report.lost_seconds.seconds
     return row
 
 

@@ -5,6 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import amrmetrics as am
+from amrmetrics.command import _body
 
 T = np.arange(0, 60, 0.1)
 TURN = Rotation.from_euler("xyz", [40, -70, 130], degrees=True)
@@ -175,6 +176,73 @@ def test_a_lever_arm_is_undone_by_body():
     assert am.drift_rate(X, Y, body=body).rate < 1e-9
 
 
+@pytest.mark.parametrize("align", ["rigid", "similarity", "yaw", "none"])
+@pytest.mark.parametrize("d", [2, 3])
+def test_a_lever_arm_is_named_and_its_advice_works(align, d):
+    X = flight()
+    offset = [1.2, -0.7, 0.9]
+    body = am.spatial_poses([offset], [Rotation.from_euler("z", 0.06).as_quat()])[0]
+    Y = noisy(X @ body)
+    if d == 2:
+        X, Y = am.project(X), am.project(X @ body)
+        offset = offset[:2]
+        Y[:, :2, 2] = am.positions(X) + X[:, :2, :2] @ offset
+    Y = moved(Y) if align in ("rigid", "similarity") and d == 3 else Y
+    before = am.ate(X, Y, align)
+    (found,) = before.notes
+    assert "a lever arm" in found
+    said = [float(x) for x in found.split("lies at (")[1].split(")")[0].split(",")]
+    assert said == pytest.approx(offset, abs=0.01)
+    after = am.ate(X, Y, align, body=am.lever_arm(X, Y, align).body)
+    assert after.rmse < 0.2 * before.rmse
+    assert after.notes == ()
+    text = found.split('--body "')[1].split('"')[0]
+    assert am.ate(X, Y, align, body=_body(text)).rmse < 0.2 * before.rmse
+    given = np.eye(d + 1)
+    given[:d, d] = 0.1
+    (more,) = am.evaluate(*(am.Trajectory(T, x) for x in (X, Y)), align=align, body=given).notes
+    assert "body=body @ arm.body" in more
+    text = more.split('--body "')[1].split('"')[0]
+    assert am.ate(X, Y, align, body=_body(text)).rmse < 0.2 * before.rmse
+    (positions_only,) = am.ate(X, am.positions(Y), align).notes
+    assert positions_only.endswith("(see lever_arm)")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_half_a_lever_arm_is_none(seed):
+    """A point that is elsewhere in the second half only, or that wanders, is no constant one."""
+    X = flight(seed)
+    Y = X @ am.spatial_poses([[1.2, -0.7, 0.9]], [[0, 0, 0, 1]])
+    late = (np.arange(len(X)) > 300)[:, None, None]
+    assert not any("lever" in x for x in notes(X, np.where(late, Y, X)))
+    assert not any("lever" in x for x in notes(X, np.where(late, X, Y)))
+    wander = X.copy()
+    wander[:, :3, 3] += 0.03 * np.cumsum(np.random.default_rng(seed).normal(size=(600, 3)), axis=0)
+    assert not any("lever" in x for x in notes(X, wander))
+
+
+@pytest.mark.parametrize("bend", [0, 0.005, 0.02])
+@pytest.mark.parametrize("slope", [0.05, 0.2, 0.4])
+def test_a_height_that_drifts_is_neither_a_tilt_nor_a_scale(bend, slope):
+    """Along a nearly straight path all three are alike, and none is named."""
+    rng = np.random.default_rng(5)
+    yaw = np.cumsum(bend * rng.normal(size=len(T)))
+    speed = 1 + 0.3 * np.sin(T / 5)
+    p = np.cumsum(0.1 * np.c_[speed * np.cos(yaw), speed * np.sin(yaw), 0 * T], axis=0)
+    p += 0.05 * np.c_[np.sin(T / 2), np.cos(T / 2), np.sin(T / 3)]
+    way = np.linalg.norm(np.diff(p, axis=0, prepend=p[:1]), axis=1).cumsum()
+    for drift in (way, way[-1] * T / T[-1]):
+        q = p + np.outer(slope * drift, [0, 0, 1]) + 0.003 * rng.normal(size=p.shape)
+        for align in ("rigid", "yaw", "none"):
+            turned = TURN.apply(q) if align == "rigid" else q
+            assert notes(p, turned, align, stamped=True) == ()
+    # Where the path turns back, a tilt and a scale are what they are.
+    p = am.positions(flight())
+    tilted = Rotation.from_euler("xyz", [0.15, 0.1, 0]).apply(p)
+    assert "the world frames differ, turned by" in notes(p, tilted, "yaw", stamped=True)[0]
+    assert "scaled by 0.8333" in notes(p, 1.2 * p, stamped=True)[0]
+
+
 def test_world_to_body_poses():
     X = flight()
     found = notes(X, am.inverse(noisy(moved(X))))
@@ -229,11 +297,16 @@ def test_a_clock_offset():
     reference = am.Trajectory(T[20:-20], X[20:-20])
     found = am.ate(reference, am.Trajectory(T[20:-20], late)).notes
     assert len(found) == 1
-    assert "with offset=1.3 s in match (--offset)" in found[0]
-    offset = float(found[0].split("offset=")[1].split(" ")[0])
+    assert "with +1.3 s added to the offset of match (--offset)" in found[0]
+    offset = float(found[0].split("with ")[1].split(" ")[0])
     run = am.Trajectory(T[20:-20], late)
     pair = am.match(am.Trajectory(T, X), run, offset=offset, interpolate=True)
     assert am.ate(*pair).rmse < 0.02
+    # What is said is added to an offset that was given, and the sum is right.
+    shifted = am.Trajectory(run.stamps - 7, late)
+    (said,) = am.evaluate(am.Trajectory(T, X), shifted, offset=7).notes
+    more = float(said.split("with ")[1].split(" ")[0])
+    assert am.evaluate(am.Trajectory(T, X), shifted, offset=7 + more).ate.rmse < 0.05
 
 
 def test_equal_orientations():
@@ -256,3 +329,88 @@ def test_changed_arrays_are_noticed():
         _ = error.rotation
     with pytest.raises(am.AmrError, match="changed in place after ate"):
         _ = error.notes
+
+
+class TestEdges:
+    """What is a little less than a rule asks for is not named, a little more is."""
+
+    P = am.positions(flight())
+    SIZE = float(np.sqrt(((P - P.mean(axis=0)) ** 2).sum(axis=1).mean()))
+
+    def noise(self, seed=2):
+        """Return noise of root mean square 1 that turns, shifts and scales nothing."""
+        rng = np.random.default_rng(seed)
+        e = rng.normal(size=self.P.shape)
+        centered = self.P - self.P.mean(axis=0)
+        alike = [centered.ravel(), *(np.cross(axis, centered).ravel() for axis in np.eye(3))]
+        alike += [np.tile(axis, len(e)) for axis in np.eye(3)]
+        columns = np.transpose(alike)
+        e -= (columns @ np.linalg.lstsq(columns, e.ravel())[0]).reshape(e.shape)
+        return e / np.sqrt((e**2).sum(axis=1).mean())
+
+    @pytest.mark.parametrize(("more", "named"), [(0.0097, 0), (0.0103, 1)])
+    def test_an_error_of_a_hundredth_is_large(self, more, named):
+        assert len(notes(self.P, (1 + more) * self.P)) == named
+
+    @pytest.mark.parametrize(("n", "named"), [(9, 0), (10, 1)])
+    def test_ten_poses_are_enough(self, n, named):
+        p = self.P[:: len(self.P) // n][:n]
+        assert len(notes(p, 2 * p)) == named
+        X = flight()[:: 600 // n][:n]
+        Y = X @ am.spatial_poses([[0, 0, 0]], [TURN.as_quat()])[0]
+        assert len(notes(X, Y)) == named
+
+    @pytest.mark.parametrize(("left", "named"), [(0.19, 1), (0.21, 0)])
+    def test_four_fifths_have_to_go(self, left, named):
+        amount = left * 0.2 * self.SIZE / np.sqrt(1 - left**2)
+        q = 1.2 * (self.P + amount * self.noise())
+        fitted, before = am.align(self.P, q, "similarity").rmse, am.align(self.P, q).rmse
+        assert fitted / before == pytest.approx(left, abs=0.008)
+        assert len(notes(self.P, q)) == named
+
+    @pytest.mark.parametrize(("left", "named"), [(0.094, 1), (0.106, 0)])
+    def test_little_has_to_be_left_against_the_path(self, left, named):
+        q = 3 * (self.P + left * self.SIZE * self.noise())
+        assert am.align(self.P, q, "similarity").rmse == pytest.approx(left * self.SIZE, rel=0.02)
+        assert len(notes(self.P, q)) == named
+
+    @pytest.mark.parametrize(("left", "named"), [(0.45, 1), (0.55, 0)])
+    def test_half_has_to_go_by_a_clock_offset(self, left, named):
+        late = am.interpolate(am.Trajectory(T, flight()), T[20:-20] + 0.5).positions
+        off = am.align(self.P[20:-20], late).rmse
+        late += left * off / np.sqrt(1 - left**2) * self.noise()[20:-20]
+        found = am.ate(*(am.Trajectory(T[20:-20], x) for x in (self.P[20:-20], late))).notes
+        assert len(found) == named
+
+    @pytest.mark.parametrize(("scale", "named"), [(1.9, 0), (2.1, 1), (1 / 1.9, 0), (1 / 2.1, 1)])
+    def test_a_factor_of_two_is_far(self, scale, named):
+        assert len(notes(self.P, self.P / scale, "similarity")) == named
+
+    @pytest.mark.parametrize(("degrees", "named"), [(4.9, 0), (5.1, 1)])
+    def test_five_degrees_are_large(self, degrees, named):
+        body = Rotation.from_rotvec([0, 0, np.radians(degrees)]).as_quat()
+        tumbling = Rotation.random(len(T), rng=np.random.default_rng(4)).as_quat()
+        X = am.spatial_poses(self.P, tumbling)  # no turn of the world does the same
+        assert len(notes(X, X @ am.spatial_poses([[0, 0, 0]], [body])[0])) == named
+
+    @pytest.mark.parametrize(("degrees", "named"), [(9, 1), (11, 0)])
+    def test_ten_degrees_may_be_left_of_a_turn(self, degrees, named):
+        X = flight()
+        body = am.spatial_poses([[0, 0, 0]], [Rotation.from_rotvec([0, 0, 2]).as_quat()])[0]
+        axes = np.random.default_rng(3).normal(size=(len(X), 3))
+        axes *= np.radians(degrees) / np.linalg.norm(axes, axis=1)[:, None]
+        Y = X @ body
+        Y[:, :3, :3] = Y[:, :3, :3] @ Rotation.from_rotvec(axes).as_matrix()
+        assert len(notes(X, Y)) == named
+
+    @pytest.mark.parametrize(("turn", "named"), [(1e-7, 1), (1e-5, 0)])
+    def test_equal_orientations_are_equal(self, turn, named):
+        X = am.spatial_poses(self.P, np.tile([0, 0, 0, 1], (len(T), 1)))
+        X[300:] = X[300:] @ am.spatial_poses([[0, 0, 0]], [[0, 0, turn / 2, 1]])[0]
+        assert len(notes(X, X)) == named
+
+    @pytest.mark.parametrize(("bend", "named"), [(0.0005, 0), (0.002, 1)])
+    def test_a_straight_path_may_keep_its_orientation(self, bend, named):
+        side = bend * np.std(T) * np.sign(np.sin(T))
+        X = am.planar_poses(np.c_[T, side], 0 * T)
+        assert len(notes(X, X, "none")) == named

@@ -254,6 +254,24 @@ class TestErrors:
         advice = re.search(r"(--max-difference) ([\d.]+) or more", error)
         assert run(capsys, "truth.txt", "late.txt", *advice.groups())[0] == 0
 
+    def test_advice_for_columns_that_the_numbers_do_not_tell(self, files, capsys):
+        """A EuRoC file whose first orientation is nearly the identity with the scalar last."""
+        T0 = 1403636580000000000
+        turn = 0.05 * np.sin(T / 3)
+        rows = zip((T * 1e9).round().astype(int), drive().positions, turn, strict=True)
+        lines = [
+            f"{T0 + t},{x},{y},{z},{s / 2},0.01,0,{(1 - s * s / 4 - 1e-4) ** 0.5}\n"
+            for t, (x, y, z), s in rows
+        ]
+        with open("run.csv", "w", encoding="utf-8") as file:
+            file.writelines(lines)
+        code, _, error = run(capsys, "run.csv", "run.csv")
+        assert code == 2
+        assert "amrmetrics.read" not in error
+        said = re.findall(r'--columns "([^"]*)"', error)
+        assert said == ["ns x y z qx qy qz qw", "ns x y z qw qx qy qz"]
+        assert run(capsys, "run.csv", "run.csv", "--columns", said[0])[0] == 0
+
     def test_advice_for_frames_that_were_left_out(self, files, capsys):
         am.write_kitti("truth.kitti", drive())
         am.write_kitti("run.kitti", drive(0.02, 1)[::3])
@@ -268,6 +286,16 @@ class TestErrors:
         assert code == 0
         assert json.loads(said)["coverage"]["matched"] == 400
         assert json.loads(said)["ate"]["rmse"] < 0.05
+
+    def test_what_would_not_be_used_is_refused(self, files, capsys):
+        for more, says in (
+            (["--format", "tum", "--columns", "s x y z"], "leave out --format"),
+            (["--format", "tum", "--times", "times.txt"], "--times are the stamps of KITTI files"),
+            (["--format", "euroc", "--times", "times.txt"], "and --format is euroc"),
+        ):
+            code, _, error = run(capsys, "truth.txt", "good.txt", *more)
+            assert code == 2
+            assert says in error
 
     def test_a_drive_is_no_bag(self, files, capsys):
         _, _, error = run(capsys, "truth.txt", "C:/data/run.txt")

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import amrmetrics as am
+from amrmetrics.stamps import ClockOffset
 
 T = np.arange(0, 120, 0.1)
 
@@ -115,6 +116,24 @@ class TestReport:
         assert report.name == "run.txt"
         assert report.reference_name == "truth.txt"
 
+    def test_refuses_other_options(self):
+        X = drive()
+        for deltas in ((10, "m"), 5, [(1, "m", 2)]):
+            with pytest.raises(am.AmrError, match="expected pairs such as"):
+                am.evaluate(X, X, deltas=deltas)
+        bare = am.Trajectory(T, np.c_[X.positions, T])
+        for run in (X, bare):
+            with pytest.raises(am.AmrError, match="plane is 'yx'; expected one of 'xy', 'xz'"):
+                am.evaluate(run, run, plane="yx")
+
+    @pytest.mark.parametrize(("seconds", "stretches"), [(4.0, 2), (3.9, 1)])
+    def test_stretches_are_a_quarter_of_the_run_at_most(self, seconds, stretches):
+        """A run of 4 s has an RPE over 1 s, a shorter one has none."""
+        t = np.arange(0, seconds + 0.05, 0.1)
+        run = am.Trajectory(t, am.planar_poses(np.c_[0 * t, 0.001 * np.sin(t)], t))
+        found = am.evaluate(run, run, align="none").rpe
+        assert [x.translation.delta_unit for x in found] == ["frames", "s"][:stretches]
+
     def test_refuses_other_things(self):
         with pytest.raises(am.AmrError, match="reference is of type ndarray; expected the path"):
             am.evaluate(drive().poses, drive())
@@ -128,6 +147,56 @@ class TestReport:
                 am.evaluate(drive(), nothing)
         with pytest.raises(am.AmrError, match="no estimate could be evaluated"):
             am.evaluate(drive(), [drive(t=T + 1e6)])
+
+
+class TestEstimatedOffset:
+    @staticmethod
+    def turning(t, noise, seed):
+        rng = np.random.default_rng(seed)
+        yaw = np.sin(t / 2) + 0.5 * np.sin(1.3 * t + 1) + noise * rng.normal(size=len(t))
+        return am.planar_poses(np.c_[t, np.sin(t)], yaw)
+
+    def pair(self, noise, seed=1, apart=0.0098):
+        """Return ten poses a second; those of the estimate are a little later than the truth's."""
+        t = np.arange(0, 60, 0.1)
+        late = am.Trajectory(t + apart - 7.3, self.turning(t + apart, noise, seed))
+        return am.Trajectory(t, self.turning(t, 0, 0)), late
+
+    def test_no_match_is_lost_to_the_error_of_the_offset(self):
+        lost = 0
+        for seed in range(8):
+            truth, late = self.pair(0.01, seed)
+            offset = am.clock_offset(truth, late)
+            try:
+                lost += 600 - am.match(truth, late, offset=float(offset)).coverage.matched
+            except am.AmrError:
+                lost += 600
+            report = am.evaluate(truth, late, offset="auto")
+            assert report.coverage.matched == 600
+            wide = 0.01 + 2 * offset.standard_error
+            said = f"clock offset estimated: {offset!r}; stamps matched up to {wide:.3g} s apart"
+            assert said in report.notes[0]
+        assert lost >= 600  # in some of the runs, all of them
+
+    def test_but_never_to_another_pose(self, monkeypatch):
+        """Half a step of the reference is the most, whatever the offset is worth."""
+        truth, late = self.pair(0, apart=0.07)
+        for error, widest in ((0.01, 0.03), (0.5, 0.06)):
+            offset = ClockOffset(7.3, error)
+            monkeypatch.setattr("amrmetrics.evaluation.clock_offset", lambda *_, x=offset: x)
+            report = am.evaluate(truth, late, offset="auto")
+            assert f"up to {widest:g} s apart" in report.notes[0]
+            apart = report.reference.stamps - report.estimate.stamps - 7.3
+            assert apart == pytest.approx(np.full(599, 0.03), abs=1e-9)
+
+    def test_a_given_offset_and_interpolation_widen_nothing(self):
+        truth, late = self.pair(0.01)
+        notes = am.evaluate(truth, late, offset="auto", interpolate=True).notes
+        assert "apart" not in notes[0]
+        assert am.evaluate(truth, late, offset=7.3).notes == ()
+        assert am.evaluate(truth, late, offset=7.3, max_difference=0.009901).ate.n == 600
+        with pytest.raises(am.AmrError, match=r"match within max_difference=0\.0097 s"):
+            am.evaluate(truth, late, offset=7.3, max_difference=0.0097)
 
 
 class TestSeveral:
@@ -165,8 +234,32 @@ class TestSeveral:
         assert result.verdict == "A better"
         assert result.mean == pytest.approx(am.compare_paired(a, b).mean)
         assert result.unit == "m"
-        del runs["orb_3"], runs["orb_4"], runs["orb_5"]
+        del runs["orb_3"], runs["orb_4"]
+        assert len(am.evaluate(drive(), runs).comparisons) == 1  # six pairs
+        del runs["orb_5"]
         assert am.evaluate(drive(), runs).comparisons == {}
+
+    def test_a_failed_run_gets_the_worst_value(self):
+        runs = {f"orb_{k}": drive(0.02 + 0.001 * k, k) for k in range(6)}
+        runs |= {f"vins_{k}": drive(0.05 + 0.001 * k, 50 + k) for k in range(6)}
+        runs["vins_2"] = drive(t=T + 1e6)
+        found = am.evaluate(drive(), runs)
+        rmse = {report.name: report.ate.rmse for report in found}
+        a = [rmse[f"orb_{k}"] for k in range(6)]
+        b = [rmse.get(f"vins_{k}", max(rmse.values())) for k in range(6)]
+        result = found.comparisons["orb - vins"]
+        assert result.mean == pytest.approx(am.compare_paired(a, b).mean)
+        for name in [name for name in runs if name != "orb_0"]:
+            runs[name] = drive(t=T + 1e6)
+        lost = {f"lost_{name}": run for name, run in runs.items() if name != "orb_0"}
+        assert am.evaluate(drive(), lost | {"good": drive(0.01)}).comparisons == {}
+
+    def test_names_need_not_be_text_and_missing_files_are_failures(self, tmp_path):
+        found = am.evaluate(drive(), {1: drive(0.01), 2: tmp_path / "none.txt"})
+        assert [report.name for report in found] == ["1"]
+        assert "none.txt" in found.failures["2"]
+        with pytest.raises(OSError, match=r"none\.txt"):
+            am.evaluate(drive(), tmp_path / "none.txt")
 
     def test_runs_with_and_without_orientations_share_a_table(self):
         X = drive(0.01, 1)

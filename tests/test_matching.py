@@ -71,6 +71,31 @@ class TestMatch:
         assert am.ate(*pair, align="none").rmse < 1e-3
         assert am.ate(*am.match(truth, drive(t), 0.05), align="none").rmse > 0.01
 
+    def test_interpolation_reaches_both_ends_of_the_reference(self):
+        truth = drive(T)
+        pair = am.match(truth, drive(T[[0, 7, -1]]), interpolate=True)
+        assert pair.coverage.matched == 3
+        assert pair.coverage.left_out == 0
+        assert pair.coverage.reference == len(T)
+        assert pair.coverage.duration == pytest.approx(T[-1])
+        late = am.match(truth, drive(T[100:120]), interpolate=True).coverage
+        assert late.duration == pytest.approx(0.95)
+        numbered = am.Trajectory(T, truth.poses, frames=np.arange(len(T)))
+        found = am.match(numbered, drive(T[:20] + 0.02), interpolate=True)
+        assert found.reference.frames is None
+
+    def test_a_single_pose_covers_itself(self):
+        one = drive(T[:1])
+        assert am.match(one, one).coverage.share == 1
+
+    def test_stamps_of_one_side_are_enough_to_tell_the_duration(self):
+        truth, run = drive(T), am.Trajectory(None, drive(T).poses)
+        for pair in (am.match(truth, run), am.match(run, truth)):
+            assert pair.coverage.duration == pytest.approx(T[-1])
+            assert pair.how == "order in the files"
+        numbered = am.Trajectory(None, drive(T).poses, frames=np.arange(len(T)))
+        assert am.match(numbered, run).how == "order in the files"
+
     def test_leaves_out_what_falls_in_a_gap_and_counts_it(self):
         gone = (T > 5) & (T < 12)
         truth, run = drive(T)[~gone], drive(T + 0.02)
@@ -86,6 +111,13 @@ class TestMatch:
     def test_the_default_gap_is_ten_usual_steps_and_at_least_a_second(self, gap, kept):
         t = np.r_[np.arange(0, 5, 0.1), 4.9 + gap + np.arange(0, 5, 0.1)]
         run = am.Trajectory(np.array([2.03, 4.9 + gap / 2]), np.zeros((2, 2)))
+        pair = am.match(am.Trajectory(t, np.zeros((len(t), 2))), run, interpolate=True)
+        assert pair.coverage.matched == 1 + kept
+
+    @pytest.mark.parametrize(("gap", "kept"), [(1.95, True), (2.05, False)])
+    def test_and_ten_usual_steps_where_these_are_longer(self, gap, kept):
+        t = np.r_[np.arange(0, 5, 0.2), 4.8 + gap + np.arange(0, 5, 0.2)]
+        run = am.Trajectory(np.array([2.03, 4.8 + gap / 2]), np.zeros((2, 2)))
         pair = am.match(am.Trajectory(t, np.zeros((len(t), 2))), run, interpolate=True)
         assert pair.coverage.matched == 1 + kept
 

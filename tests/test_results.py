@@ -150,4 +150,4 @@ def test_the_library_alone_needs_three_packages():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     names = {line.split(">")[0] for line in project["dependencies"]}
     assert names == {"numpy", "scipy", "lazy_loader"}
-    assert {*project["optional-dependencies"]} == {"plot", "ros", "fast", "course"}
+    assert {*project["optional-dependencies"]} == {"plot", "ros", "fast", "benchmark", "course"}

@@ -35,6 +35,7 @@ text: str = am.page(am.evaluate("a.txt", ["b.txt", "c.txt"], offset="auto"))
 plan = am.benchmark.Protocol(align="yaw", maximum_ate=2)
 still = am.benchmark.System("still", lambda log: am.benchmark.Estimate(X))
 done: int = am.benchmark.run(still, am.benchmark.scenarios(), 3, "logs", protocol=plan).done
+lever: float = am.lever_arm(truth, X).rmse
 failed: int = am.benchmark.adopt("table.csv", "logs", protocol=plan).failed
 """
 
