@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from benchmark_logs import estimate_of, truth_of, write
+from scipy.stats import chi2
 
 import amrmetrics as am
-from amrmetrics.benchmark import gathering, logs, workers
+from amrmetrics.benchmark import gathering, logs, summarizing, workers
 from amrmetrics.benchmark.data import Estimate, Protocol, Truth
 from amrmetrics.benchmark.measuring import measure
 
@@ -151,6 +152,14 @@ class TestNumbersOfATrial:
         other = measured(replace(estimate, accepted=accepted[:3]), truth).row
         assert other["skipped"]["closures"] == "3 closures for 5 candidates"
 
+    def test_classes_of_latency_are_named_after_their_longest_time(self, truth, rng):
+        seconds = np.array([0.0203, 0.01005, 0.0204, 0])
+        estimate = replace(estimate_of(truth, rng), frame_seconds=seconds)
+        kinds, counts = measured(estimate, truth).series["frames"]
+        assert counts.tolist() == [1, 1, 2]
+        assert (10 ** (kinds / 200) >= [1e-9, 0.01005, 0.0204]).all()
+        assert (10 ** ((kinds - 1) / 200) < [1e-9, 0.01005, 0.0203]).all()
+
     def test_what_is_missing_has_its_reason(self, truth, rng):
         row = measured(estimate_of(truth, rng, full=False), truth).row
         assert row["anees"] is row["map_rmse"] is row["closure_recall"] is None
@@ -174,6 +183,8 @@ class TestNumbersOfATrial:
 
     def test_covariances_follow_the_poses_that_are_matched(self, truth, rng):
         estimate = estimate_of(truth, rng)
+        growing = estimate.covariances * np.linspace(1, 9, 120)[:, None, None]
+        estimate = replace(estimate, covariances=growing)
         kept = np.r_[0:60, 61:120]
         some = replace(
             estimate,
@@ -252,8 +263,23 @@ class TestCoverage:
         late = replace(estimate_of(truth, rng), stamps=truth.stamps + 100)
         assert "match" in measured(late, truth).row["reason"]
 
+    def test_who_meets_a_limit_exactly_has_not_failed(self, truth, rng):
+        estimate = estimate_of(truth, rng)
+        found = measured(estimate, truth, minimum_coverage=1.0).row
+        assert (found["coverage"], found["status"]) == (1, "ok")
+        again = measured(estimate, truth, maximum_ate=found["ate"]).row
+        assert again["status"] == "ok"
+
+    def test_a_reason_is_text_that_can_be_written(self, truth):
+        entry = replace(trial(None, truth), status="failed", reason="no\udcff\x1b[1m\nbag")
+        row = measure(entry, DECISIONS).row
+        assert row["reason"] == "no??[1m bag"
+
 
 class TestEvaluate:
+    def test_the_first_seed_is_drawn(self, evaluation):
+        assert {x["seed"] for x in evaluation.traces.values()} == {0}
+
     def test_every_trial_is_a_row(self, evaluation):
         assert len(evaluation.rows) == 4 * 2 * 6
         assert len(evaluation.table()) == 48
@@ -489,6 +515,23 @@ class TestConsistency:
             alarms += any(row["verdict"] != "consistent" for row in found)
         assert 0.02 < alarms / 400 < 0.08
 
+    def test_innovations_are_tested_on_both_sides_for_what_they_are_worth(self):
+        totals = np.array([[130.0, 50, 25], [100, 40, 20]])
+        test = gathering._nis(totals, 2, 0.9)
+        mean = 230 / 90
+        assert (test["mean"], test["n"], test["n_effective"]) == ([mean], [90], 45)
+        assert test["p"][0] == pytest.approx(2 * chi2.sf(45 * mean, 90))
+        limits = chi2.ppf([0.05, 0.95], 90) / 45
+        assert [test["lower"][0], test["upper"][0]] == pytest.approx(limits.tolist())
+
+    def test_a_verdict_names_the_side_however_small_the_excess(self):
+        tests = [
+            {"why": "", "dof": 2, "mean": [mean], "p": [p]}
+            for mean, p in ((2.1, 1e-4), (1.9, 1e-4), (2.9, 0.04), (9.0, 0.06))
+        ]
+        said = [row["verdict"] for row in gathering._with_verdicts(tests, 0.95)]
+        assert said == ["overconfident", "underconfident", "consistent", "consistent"]
+
     def test_seeds_that_lost_track_are_not_there(self, truth):
         values = np.ones((4, 50))
         values[1:, 30:] = np.nan
@@ -520,8 +563,16 @@ class TestSummary:
         assert (median.value, median.lower) == (direct.median, direct.median_lower)
         mean = summarize(rows, "ate", d | {"statistic": "mean"})[None, "good"]
         assert mean.value == pytest.approx(values.mean())
-        half = am.compare_paired(values, 0 * values)
+        places = {row["scenario"] for row in rows}
+        means = [np.mean([r["ate"] for r in rows if r["scenario"] == x]) for x in places]
+        half = am.compare_paired(means, np.zeros(len(means)))
+        assert mean.n == len(places) > 1
         assert (mean.lower, mean.upper) == pytest.approx((half.lower, half.upper))
+        place = rows[0]["scenario"]
+        one = summarize(rows, "ate", d | {"statistic": "mean"})[place, "good"]
+        here = np.array([row["ate"] for row in rows if row["scenario"] == place])
+        half = am.compare_paired(here, 0 * here)
+        assert (one.lower, one.upper) == pytest.approx((half.lower, half.upper))
         tail = summarize(rows, "ate", d | {"statistic": "p95"})[None, "good"]
         assert tail.value == pytest.approx(np.percentile(values, 95))
         assert np.isnan(tail.upper)
@@ -535,6 +586,26 @@ class TestSummary:
         assert x.value == pytest.approx(np.median([*own, worst, worst]))
         assert (x.n, x.failed) == (6, 2)
         assert x.failure_lower < 1 / 3 < x.failure_upper
+
+    def test_the_worst_is_the_smallest_where_higher_is_better(self, evaluation):
+        rows = [row for row in evaluation.rows if row["scenario"] == "loop"]
+        values, failed = summarizing.filled(rows, "closure_recall", DECISIONS)
+        least = min(x["closure_recall"] for x in rows if x["closure_recall"] is not None)
+        crashed = [row["system"] == "crash" for row in rows]
+        assert failed[crashed].all()
+        assert set(values[crashed]) == {least}
+
+    def test_each_scenario_has_a_worst_of_its_own(self, evaluation):
+        values, failed = summarizing.filled(evaluation.rows, "ate", DECISIONS)
+        found = {}
+        for row, value in zip(evaluation.rows, values, strict=True):
+            found.setdefault((row["scenario"], row["status"]), []).append(value)
+        worst = {where: max(found[where, "ok"]) for where in ("loop", "hall")}
+        assert worst["loop"] != worst["hall"]
+        assert {where: set(found[where, "failed"]) for where in worst} == {
+            where: {value} for where, value in worst.items()
+        }
+        assert failed.sum() == sum(row["status"] == "failed" for row in evaluation.rows)
 
     def test_or_is_counted_beside_the_others(self, folder):
         found = am.benchmark.evaluate(folder, protocol={"failures": "separate"})
@@ -603,6 +674,16 @@ class TestCompare:
         row = compared.rows[0]
         assert (row["scenario"], row["n"], row["trials"]) == ("all scenarios", 2, 12)
         assert row["p"] == pytest.approx(direct.p_value)
+
+    def test_one_scenario_that_both_have_run_is_one_number_of_all(self, tmp_path):
+        def only_in_the_hall(truth, rng, scenario, seed):
+            return over(truth, rng, scenario, seed) if scenario == "hall" else None
+
+        folder = write(tmp_path / "b", {"good": good, "over": only_in_the_hall}, tuning=())
+        both, *single = am.benchmark.compare(folder, jobs=1).rows
+        assert (both["scenario"], both["n"], both["trials"]) == ("all scenarios", 1, 6)
+        assert (both["verdict"], both["why"]) == ("undecided", "one scenario shows no spread")
+        assert [(row["scenario"], row["n"]) for row in single] == [("loop", 0), ("hall", 6)]
 
     def test_holm_is_for_two_families(self, evaluation, compared):
         for family, count in (("primary", 6), ("secondary", 12)):

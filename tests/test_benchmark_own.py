@@ -1,6 +1,7 @@
 """Own data as a benchmark: recordings from files and bags, and what cannot be read."""
 
 import csv
+import os
 import shutil
 from pathlib import Path
 
@@ -130,7 +131,8 @@ def test_what_was_damaged_is_read_again(data, tmp_path):
     am.benchmark.adopt(data / "table.csv", folder)
     (entry_of(folder, "lidar", "hall", 1).path / "estimate.tum").write_text("1 2 3\n")
     (entry_of(folder, "lidar", "yard", 1).world / "truth.tum").unlink()
-    assert am.benchmark.adopt(data / "table.csv", folder).done == 2
+    shutil.rmtree(entry_of(folder, "lidar", "hall", 2).world)
+    assert am.benchmark.adopt(data / "table.csv", folder).done == 3
     assert logs.read_trial(entry_of(folder, "camera", "yard", 1)).status == "ok"
 
 
@@ -239,4 +241,49 @@ def test_a_wrong_table_is_refused(tmp_path, message):
 def test_a_wrong_line_of_a_file_is_named(tmp_path):
     write_table(tmp_path / "table.csv", [list(GOOD.values()), ["b", "hall", "", "x", "y"]])
     with pytest.raises(am.AmrError, match=r"table.csv, line 3: no seed"):
+        am.benchmark.adopt(tmp_path / "table.csv", tmp_path / "logs")
+
+
+@pytest.mark.parametrize("separator", [";", "\t", ","])
+def test_a_table_as_spreadsheets_write_it(data, tmp_path, separator):
+    lines = [NAMES, ("a", "hall", "0", "hall0.txt", "camera.txt"), [""] * len(NAMES)]
+    text = "\r\n".join(map(separator.join, lines))
+    home = shutil.copytree(data, tmp_path / "data")
+    (home / "mine.csv").write_text(text, encoding="utf-8-sig", newline="")
+    done = am.benchmark.adopt(home / "mine.csv", tmp_path / "logs")
+    assert (done.trials, done.failed) == (1, 0)
+
+
+@pytest.mark.skipif(os.sep == "\\", reason="there it is a path like any other")
+def test_relative_paths_of_windows(data, tmp_path):
+    rows = [
+        ["a", "hall", 0, "hall0.txt", "data\\camera.txt"],
+        ["b", "hall", 0, ".\\hall0.txt", ".\\data\\lidar.bag:/pose"],
+        ["c", "hall", 0, "./hall0.txt", "C:\\data\\camera.txt"],
+    ]
+    shutil.copytree(data, tmp_path / "data")
+    shutil.copy(data / "hall0.txt", tmp_path)
+    write_table(tmp_path / "table.csv", rows)
+    am.benchmark.adopt(tmp_path / "table.csv", tmp_path / "logs")
+    found = {e.system: e.reason for e in logs.index(tmp_path / "logs").entries}
+    assert (found["a"], found["b"]) == ("", "")
+    assert "No such file" in found["c"]
+
+
+def test_a_reason_has_no_path_of_this_machine(bad):
+    assert all("/data" not in e.reason for e in logs.index(bad).entries)
+
+
+LINE = "a,hall,0,truth.txt,a.txt"
+WRONG_FILES = {
+    "is no text in UTF-8": f"{','.join(NAMES)}\n{LINE}\n".encode("utf-16"),
+    "line 2: more entries than columns": f"{','.join(NAMES)}\n{LINE},b.txt\n".encode(),
+    "has no rows": b"",
+}
+
+
+@pytest.mark.parametrize("message", WRONG_FILES)
+def test_a_wrong_file_is_refused(tmp_path, message):
+    (tmp_path / "table.csv").write_bytes(WRONG_FILES[message])
+    with pytest.raises(am.AmrError, match=message):
         am.benchmark.adopt(tmp_path / "table.csv", tmp_path / "logs")

@@ -1,5 +1,6 @@
 """A report is complete whatever became of the trials, works offline, and opens in a browser."""
 
+import errno
 import html
 import json
 import os
@@ -296,6 +297,21 @@ CASES = {
         ],
     ),
 }
+
+
+def test_a_report_that_cannot_be_written_leaves_the_old_one(folder, tmp_path, monkeypatch):
+    def full(_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    old = tmp_path / "report.html"
+    old.write_text("old")
+    monkeypatch.setattr("os.fsync", full)
+    evaluation = am.benchmark.evaluate(folder, systems=["good"], jobs=1)
+    with pytest.raises(OSError, match="No space"):
+        am.benchmark.report(evaluation, old, tmp_path / "report.md")
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [
+        ("report.html", "old")
+    ]
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -249,9 +249,79 @@ def test_a_daemon_is_ended_too(tmp_path):
     assert not Path(f"/proc/{pid}").exists()
 
 
+@pytest.mark.skipif(not POSIX, reason="needs fork")
+def test_workers_of_a_killed_run_do_not_keep_the_folder(tmp_path):
+    (tmp_path / logs.PROTOCOL).write_bytes(b"{}")
+    mine, others = get_context("fork").Pipe()
+    worker = get_context("fork").Process(target=lambda: (others.send("here"), time.sleep(60)))
+    with logs.locked(tmp_path):
+        worker.start()
+        assert mine.recv() == "here"
+        with pytest.raises(am.AmrError, match="another run"), logs.locked(tmp_path):
+            pass
+    try:
+        with logs.locked(tmp_path):
+            assert worker.is_alive()
+    finally:
+        worker.kill()
+        worker.join()
+
+
 def test_a_system_may_remove_its_folder(tmp_path):
-    done = quietly(System("own_folder", own_folder), DRIVE, 1, tmp_path / "logs")
-    assert (done.failed, sum(done.kinds.values())) == (1, 1)
+    assert quietly(System("own_folder", own_folder), DRIVE, 1, tmp_path / "logs").failed == 0
+
+
+def writes_where_results_go(log):
+    import os
+
+    os.makedirs("out/maps")
+    for name in ("truth.tum", "outcome.json", "maps/map.txt"):
+        with open(f"out/{name}", "w", encoding="utf-8") as file:
+            file.write("mine")
+    return straight(log)
+
+
+def test_a_system_may_write_files_of_any_name_into_its_folder(tmp_path):
+    system = System("writes", writes_where_results_go)
+    assert quietly(system, DRIVE, 1, tmp_path / "logs").failed == 0
+
+
+class Unsayable(Exception):
+    def __str__(self):
+        raise RuntimeError
+
+
+def raises_what_cannot_be_said(log):
+    raise Unsayable
+
+
+def raises_bytes_and_codes(log):
+    raise OSError("\x1b[31mno such file: m\udcff.bag\x00")
+
+
+def one_number(log):
+    return Estimate(5)
+
+
+def test_the_order_of_seeds_is_no_decision():
+    assert protocols.as_seeds((3, 1)) == protocols.as_seeds([1, 3]) == (1, 3)
+
+
+def test_reasons_can_be_written_whatever_they_are(tmp_path):
+    systems = [
+        System(one.__name__, one)
+        for one in (raises_what_cannot_be_said, raises_bytes_and_codes, one_number)
+    ]
+    quietly(systems, DRIVE, 1, tmp_path / "logs")
+    said = {e.system: (e.kind, e.reason) for e in logs.index(tmp_path / "logs").entries}
+    assert said == {
+        "raises_what_cannot_be_said": (
+            "raised",
+            "Unsayable: its text cannot be had (RuntimeError)",
+        ),
+        "raises_bytes_and_codes": ("raised", "OSError: ?[31mno such file: m?.bag?"),
+        "one_number": ("nonsense", "poses has 0 axes; expected (N, d+1, d+1)."),
+    }
 
 
 def test_nothing_is_left_in_the_temporary_folder(tmp_path, monkeypatch):

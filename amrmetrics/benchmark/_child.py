@@ -6,7 +6,8 @@ and when that is cut, it ends everything and cleans up. The second has limits, m
 runs the system, and leaves its result in FOLDER. Where there is no ``fork``, one process does
 without the first, and who started it has to watch the time.
 
-In FOLDER stand ``code`` (pickled scenario and system) and ``order.json``. What comes out is in
+In FOLDER stand ``code`` (pickled scenario and system), ``order.json``, and ``here``, in which the
+system runs: what it writes there or removes is its own affair. What comes out is in
 ``out``: the files of the logs, ``made.json`` when the world is made, ``outcome.json`` at the end,
 and ``ended.json`` by the first process.
 """
@@ -252,7 +253,7 @@ def failure(error, order):
     kind = {"MemoryError": "out of memory", "Setup": "setup", "Nonsense": "nonsense"}
     names = [c.__name__ for c in type(error).__mro__]
     kind = next((kind[name] for name in names if name in kind), "raised")
-    said = " ".join(str(error).split())
+    said = one_line(error)
     own = kind in ("setup", "nonsense")
     reason = said if own else f"{type(error).__name__}: {said}".rstrip(": ")
     detail = "".join(traceback.format_exception(error)).replace(order["folder"], ".")
@@ -262,6 +263,16 @@ def failure(error, order):
         "reason": reason[:LONGEST_REASON],
         "detail": detail[-LONGEST_DETAIL:],
     }
+
+
+def one_line(error):
+    """Return what an exception says, without what no file or terminal takes."""
+    try:
+        said = str(error)
+    except Exception as why:  # its own __str__ raises
+        said = f"its text cannot be had ({type(why).__name__})"
+    said = " ".join(said.encode("utf-8", "replace").decode().split())
+    return "".join(letter if letter.isprintable() else "?" for letter in said)
 
 
 def write(order, name, data):

@@ -258,13 +258,14 @@ def _compared(rows, names, metric, decisions):
             keys = [key for key in runs[a] if key in runs[b] and where in (ALL, key[0])]
             pairs = [(runs[a][key], runs[b][key]) for key in keys]
             who = {"scenario": where, "family": PRIMARY if where == ALL else SECONDARY}
-            yield who | {"a": a, "b": b} | _pair(pairs, a, b, metric, decisions)
+            several = where == ALL and len(scenarios) > 1
+            yield who | {"a": a, "b": b} | _pair(pairs, a, b, metric, decisions, several)
 
 
-def _pair(pairs, a, b, metric, decisions):
+def _pair(pairs, a, b, metric, decisions, several):
     """Return the numbers of two systems on these trials.
 
-    The unit is the scenario if there are several, else the trial.
+    The unit is the scenario if there are several, even if the two share one only, else the trial.
     """
     done = [pair for pair in pairs if all(row["status"] != "missing" for row, _ in pair)]
     failed = [[row["status"] == "failed" for row, _ in pair] for pair in done]
@@ -282,7 +283,6 @@ def _pair(pairs, a, b, metric, decisions):
     found |= {"n": 0, "trials": sum(map(len, kept.values())), "why": ""}
     if not kept:
         return found | {"why": _why_no_pair(done, failed, a, b, metric)}
-    several = len({row["scenario"] for (row, _), _ in pairs}) > 1
     if several:
         x, y = np.array([np.mean(values, axis=0) for values in kept.values()]).T
     else:

@@ -252,7 +252,25 @@ def locked(folder):
     with open(Path(folder, PROTOCOL), "rb") as file:
         if not _lock(file):
             raise AmrError(f"another run is writing into {folder}. Wait until it is done.")
-        yield
+        _held.add(file)
+        try:
+            yield
+        finally:
+            _held.discard(file)
+
+
+# Files that are locked now. A forked worker of a pool has them open, too; if it kept them, it would
+# keep the lock when the run is killed and the worker goes on.
+_held: set = set()
+
+
+def _let_go():
+    while _held:
+        _held.pop().close()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_let_go)
 
 
 def _lock(file):
@@ -291,6 +309,8 @@ def checked_estimate(estimate, log_stamps=None):
     if not isinstance(estimate, Estimate):
         raise AmrError(f"the system returned {type(estimate).__name__}; expected an Estimate.")
     stamps = estimate.stamps
+    if np.ndim(estimate.poses) not in (2, 3):
+        raise AmrError(f"poses has {np.ndim(estimate.poses)} axes; expected (N, d+1, d+1).")
     if stamps is None:
         n = len(estimate.poses)
         if log_stamps is None or n > len(log_stamps):

@@ -309,9 +309,10 @@ def latency(evaluation):
         for name, tail in tails.items()
     ]
     alt = (
-        "Part of the frames that takes longer than a time, all scenarios and seeds of a system "
-        f"together, both axes logarithmic; to 1.2 %. {'; '.join(texts)}. Times are measured and "
-        "differ from run to run."
+        "Part of the frames that takes longer than a time, the frames of all trials of a system "
+        "together, also of those that broke a rule, where tables show many trials, each with its "
+        f"own P95 and P99; both axes logarithmic, to 1.2 %. {'; '.join(texts)}. Times are "
+        "measured and differ from run to run."
     )
     yield Picture(draw, (WIDTH, 4.2), alt)
 

@@ -55,7 +55,7 @@ def adopt(
         it, ``run.bag:/topic``, or a Trajectory. All systems share the reference of a scenario and
         seed. Columns that may be missing: ``split`` ("test" or "tuning") and ``times`` (the file
         with the stamps of KITTI files). A CSV file has these names in its first line; paths in it
-        are relative to its folder.
+        are relative to its folder, and commas, semicolons or tabs separate its columns.
     folder : str or Path
         For the logs; made if it is not there.
     protocol : Protocol
@@ -106,8 +106,7 @@ def adopt(
 def _rows(table):
     """Return the rows of a table, checked, with paths that can be opened."""
     if isinstance(table, str | os.PathLike):
-        with open(table, encoding="utf-8-sig", newline="") as file:
-            rows = [(f"line {k}", row) for k, row in enumerate(csv.DictReader(file), 2)]
+        rows = [(f"line {k}", row) for k, row in _lines(table)]
         home, what = os.path.dirname(os.path.abspath(table)), os.fspath(table)
     else:
         rows = [(f"row {k}", row) for k, row in enumerate(table)]
@@ -117,6 +116,26 @@ def _rows(table):
     rows = [_row(row, home, f"{what}, {where}") for where, row in rows]
     _refuse_contradictions(rows, what)
     return rows
+
+
+def _lines(table):
+    """Yield the number and the entries of each line of a CSV file that has any."""
+    with open(table, encoding="utf-8-sig", newline="") as file:
+        try:
+            text = file.read()
+        except UnicodeDecodeError:
+            raise AmrError(f"{table} is no text in UTF-8; save it as 'CSV UTF-8'.") from None
+    head = text.partition("\n")[0]
+    separator = max(",;\t", key=head.count)  # spreadsheets write what the country does
+    lines = csv.DictReader(text.splitlines(), delimiter=separator)
+    for row in lines:
+        if None in row:
+            raise AmrError(
+                f"{table}, line {lines.line_num}: more entries than columns; put a path with a "
+                f"{separator!r} in it into quotes."
+            )
+        if any(map(str.strip, filter(None, row.values()))):
+            yield lines.line_num, row
 
 
 def _row(row, home, where):
@@ -165,7 +184,11 @@ def _source(value, home, what):
             f"{what} is of type {type(value).__name__}; expected the path of a file or a "
             "Trajectory."
         )
-    return os.path.join(home, value)
+    path = os.path.normpath(os.path.join(home, value))
+    if "\\" in path and not os.path.exists(path):  # a table from Windows, read elsewhere
+        other = os.path.normpath(path.replace("\\", "/"))
+        path = other if os.path.exists(_bag_and_topic(other)[0]) else path
+    return path
 
 
 def _refuse_contradictions(rows, what):
@@ -309,7 +332,8 @@ def _read(source, times, what):
     except Exception as error:
         said = " ".join(str(error).split()) or type(error).__name__
         if not isinstance(source, Trajectory):  # the same reason wherever the data lie
-            said = said.replace(os.path.join(os.path.dirname(source), ""), "")
+            home = os.path.dirname(_bag_and_topic(source)[0])
+            said = said.replace(os.path.join(home, ""), "")
         return None, f"{what}: {said}"
     return found, ""
 

@@ -20,7 +20,7 @@ from amrmetrics.benchmark import picturing
 from amrmetrics.benchmark.comparing import ALL, compare
 from amrmetrics.benchmark.data import Protocol
 from amrmetrics.benchmark.evaluating import Evaluation, evaluate
-from amrmetrics.benchmark.logs import PROTOCOL, trial_path
+from amrmetrics.benchmark.logs import PROTOCOL, put_file, trial_path
 from amrmetrics.benchmark.measuring import columns
 from amrmetrics.errors import AmrError
 from amrmetrics.report_page import document, image, note, picture
@@ -290,8 +290,8 @@ def report(
     page = [part.html(paths.html.parent) for part in parts]
     page.insert(1, _contents(parts))
     text = "\n\n".join(part.markdown(paths.markdown.parent) for part in parts)
-    paths.html.write_text(document(evaluation.title, page, STYLE), encoding="utf-8")
-    paths.markdown.write_text(f"# {_plain(evaluation.title)}\n\n{text}\n", encoding="utf-8")
+    put_file(paths.html, document(evaluation.title, page, STYLE).encode())
+    put_file(paths.markdown, f"# {_plain(evaluation.title)}\n\n{text}\n".encode())
     return paths
 
 
@@ -359,12 +359,18 @@ def _in_short(evaluation, compared):
     yield Table(
         head,
         tuple(rows),
-        "All test scenarios together, the best first. Intervals speak of new seeds of these "
-        "scenarios. Who beats whom are the pairwise verdicts after Holm's correction: over all "
-        "scenarios, with the mean of a scenario as one number, which is primary, and on single "
-        "scenarios, which is secondary.",
+        f"All test scenarios together, the best first. {_spoken_of(evaluation)} Who beats whom "
+        "are the pairwise verdicts after Holm's correction: over all scenarios, with the mean of "
+        "a scenario as one number, which is primary, and on single scenarios, which is "
+        "secondary.",
     )
     yield from map(Figure, picturing.overview(evaluation))
+
+
+def _spoken_of(evaluation):
+    if evaluation.decisions["statistic"] == "mean" and len(evaluation.scenarios) > 1:
+        return "An interval takes the mean of each scenario as one number."
+    return "Intervals speak of new seeds of these scenarios."
 
 
 def _ranked(evaluation):
@@ -387,7 +393,8 @@ def _beaten(evaluation, compared, system):
             continue
         loser = row["b"] if row["a"] == system else row["a"]
         if row["scenario"] == ALL:
-            together.append(loser)
+            alone = row["p_sign_flip"] > 1 - compared.confidence
+            together.append(f"{loser} (by the t test alone)" if alone else loser)
         else:
             single[loser] += 1
     k = len(evaluation.scenarios)
@@ -445,10 +452,11 @@ def _protocol(evaluation):
         yield Table(("file", "what"), (([whole], "everything, as it was recorded"),))
     if applied["failures"] == "worst":
         yield Text(
-            "A failed trial counts as the worst value that any system has on the same scenario, in "
-            "tables and in verdicts, for each number that says how good an estimate is. Of "
-            "coverage, times and memory failed trials are counted beside the others. A system of "
-            "which every trial failed has no number, and loses in verdicts."
+            "A failed trial counts as the worst value that any system has on the same scenario (on "
+            "any, if all trials of that one failed), in tables and in verdicts, for each number "
+            "that says how good an estimate is. Of coverage, times and memory failed trials are "
+            "counted beside the others. A system of which every trial failed has no number, and "
+            "these worst values in verdicts."
         )
 
 
@@ -473,7 +481,7 @@ def _named(items, what, more):
     rows = []
     for item in items:
         settings = ", ".join(f"{k} {v}" for k, v in item.get("settings", {}).items())
-        code = item.get("code", "")
+        code = item.get("code", "").replace(":", ":\n")
         if item.get("source"):
             code += f"\nsource {item['source'][:12]}"
         extra = tuple(str(item.get(name, "")) for name in more)
@@ -569,6 +577,7 @@ def _verdicts(evaluation, compared):
         (f"{row['a']} – {row['b']}", *(found[row["a"], row["b"], name] for name in scenarios))
         for row in overall
     )
+    rows = tuple(tuple(cell.replace(" better", "\nbetter") for cell in row) for row in rows)
     yield Table(("pair", *scenarios), rows, "Secondary: verdicts on single scenarios")
 
 
@@ -579,11 +588,16 @@ def _units(evaluation, compared):
         return ""
     best = f", and {k} that all agree have an exact p-value of {2 / 2**k:.2g} at best"
     return (
-        f" Primary is the question over all scenarios together, {compared.tests} tests. There the "
-        "mean of a scenario counts as one number, for seeds say nothing about other scenarios"
-        f"{best if k <= 10 else ''}. Secondary are the {compared.secondary_tests} tests on single "
-        "scenarios, in which each seed counts; they hold together among themselves."
+        f" Primary is the question over all scenarios together ({_tests_of(compared.tests)}). "
+        "There the mean of a scenario counts as one number, for seeds say nothing about other "
+        f"scenarios{best if k <= 10 else ''}. Secondary are single scenarios "
+        f"({_tests_of(compared.secondary_tests)}), on which each seed counts; they hold together "
+        "among themselves."
     )
+
+
+def _tests_of(count):
+    return f"{count} test{'s' * (count != 1)}"
 
 
 def _tests(rows, caption, compared, scenario=False):
@@ -642,14 +656,17 @@ WHAT_IS_TESTED = {
     "NEES": (
         "Errors at successive instants of one run depend on each other: a run is one trial, not as "
         "many as it has instants. Verdicts come from the NEES of different seeds at five fixed "
-        "parts of the run, one independent value of each seed; the average over a run describes, "
-        "and is not tested. NEES is taken in the filter's own frame, without alignment. Consistent "
-        "means that so many seeds show nothing else."
+        "parts of the run, one independent value of each seed: of the nearest estimate, within a "
+        "gap that does not count as lost; the average over a run describes, and is not tested. Of "
+        "a trial that broke a rule of the protocol counts what it handed in. NEES is taken in the "
+        "filter's own frame, without alignment. Consistent means that so many seeds show nothing "
+        "else."
     ),
     "NIS": (
         "Innovations of a consistent filter do not depend on each other, and all of them are "
         "tested together; where they are correlated in time, they count as fewer, as many as "
-        "stand under n worth."
+        "stand under n worth. Of a trial that broke a rule of the protocol counts what it "
+        "handed in."
     ),
 }
 

@@ -40,6 +40,9 @@ WINDOW = 256
 OUTPUT_KEPT = 4096
 # Seconds after the time limit until the process that watches it is thought dead itself.
 GRACE = 30
+# What a trial leaves in "out". A system's own files are elsewhere: in "here", where it runs.
+LEFT = ("truth.tum", "truth.npz", "estimate.tum", "estimate.npz", logs.TIMES)
+LEFT += ("made.json", "outcome.json", "ended.json")
 # Bytes of a temporary folder with less of which a trial cannot write what it found.
 LEAST_ROOM = 1 << 20
 NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EACCES, errno.EPERM, errno.EROFS)
@@ -421,6 +424,7 @@ def trial(code: bytes, order: str, run: str = "", home: str = "") -> dict:
     """
     scratch = os.path.realpath(tempfile.mkdtemp(prefix="amrmetrics-", dir=home or None))
     try:
+        pathlib.Path(scratch, "here").mkdir()
         pathlib.Path(scratch, "code").write_bytes(code)
         pathlib.Path(scratch, "order.json").write_text(order, encoding="utf-8")
         output, gave_up = _in_a_process(scratch, json.loads(order)["time_limit"], run)
@@ -439,14 +443,15 @@ def _refuse_full_disk(scratch):
 
 def _in_a_process(scratch, time_limit, run):
     """Start the process, wait for it, and return the end of its output, and if it was too slow."""
+    here = os.path.join(scratch, "here")
     process = subprocess.Popen(
         [sys.executable, "-P", "-m", "amrmetrics.benchmark._child", scratch],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         bufsize=0,
-        cwd=scratch,
-        env=_environment(scratch),
+        cwd=here,
+        env=_environment(here),
         start_new_session=True,
     )
     running = _started.setdefault(run, set())
@@ -468,10 +473,10 @@ def _in_a_process(scratch, time_limit, run):
     return bytes(output), gave_up
 
 
-def _environment(scratch):
+def _environment(here):
     package = str(pathlib.Path(__file__).resolve().parents[2])
     path = os.pathsep.join([package, *filter(None, [os.environ.get("PYTHONPATH")])])
-    temporary = dict.fromkeys(("TMPDIR", "TEMP", "TMP"), scratch)
+    temporary = dict.fromkeys(("TMPDIR", "TEMP", "TMP"), here)
     return {**os.environ, **REPEATABLE, **temporary, "PYTHONPATH": path}
 
 
@@ -496,7 +501,7 @@ def _kill(process):
 
 def _collected(out, order, output, gave_up):
     """Return the files that a trial left and how it ended."""
-    files = {path.name: path.read_bytes() for path in out.iterdir()} if out.is_dir() else {}
+    files = {name: (out / name).read_bytes() for name in LEFT if (out / name).is_file()}
     ended, outcome, made = (
         json.loads(files.pop(name, b"null")) for name in ("ended.json", "outcome.json", "made.json")
     )

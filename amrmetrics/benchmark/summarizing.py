@@ -34,7 +34,9 @@ class Summary(Result):
     failure_lower, failure_upper : float
         Interval of the share of failed trials (Clopper and Pearson).
     n : int
-        Number of values; failed trials are among them under the rule "worst".
+        Number of values; failed trials are among them under the rule "worst". A mean over
+        several scenarios takes the mean of each as one value: trials of one scenario share
+        what is hard about it, and are not independent of each other.
     failures : str
         The rule for failed trials.
     why : str
@@ -156,6 +158,9 @@ def _summary(rows, values, metric, decisions):
     value = lower = upper = float("nan")
     method, why = "", _why_none(rows, metric, done, failed)
     if len(used) and failed < done:
+        places = np.array([row["scenario"] for row in rows])[~np.isnan(values)]
+        if statistic == "mean" and len(np.unique(places)) > 1:
+            used = np.array([used[places == place].mean() for place in np.unique(places)])
         value, lower, upper, method, why = _STATISTICS[statistic](used, confidence)
     shares = share_interval(failed, done, confidence) if done else (float("nan"),) * 2
     return Summary(
@@ -226,7 +231,7 @@ def _mean(used, confidence):
 
     mean, n = aggregate(used, confidence=confidence).mean, len(used)
     if n < 2:
-        return mean, float("nan"), float("nan"), "t", "an interval of the mean needs 2 trials"
+        return mean, float("nan"), float("nan"), "t", "an interval of the mean needs 2 values"
     half = float(stdtrit(n - 1, (1 + confidence) / 2)) * float(used.std(ddof=1)) / n**0.5
     return mean, mean - half, mean + half, "t", ""
 
