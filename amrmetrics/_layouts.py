@@ -100,7 +100,7 @@ def recognized(table):
 
 def _of_matrices(x):
     """Return the Layout of a table of pose matrices, None if it is none."""
-    columns, unit = x.shape[1], _unit(x[:, 0])
+    columns, unit = x.shape[1], unit_of(x[:, 0])
     for start, first in enumerate(("", "frame" if _are_counted(x[:, 0]) else unit, f"{unit} _")):
         whole = columns == 16 + start and (x[:, -4:] == (0, 0, 0, 1)).all()
         if whole or columns == 12 + start:
@@ -144,7 +144,7 @@ def _names(header, x, text):
         elif NANOSECONDS.fullmatch(word) and names[-1:] == ["s"]:
             name = "ns"
         elif TIME.fullmatch(word) and not {*names} & {*SECONDS}:
-            name = _unit(x[:, column], text)
+            name = unit_of(x[:, column], text)
         elif word in FRAME and _are_counted(x[:, column]):
             name = "frame"
         names.append("_" if name in names else name)
@@ -154,7 +154,7 @@ def _names(header, x, text):
 def _by_numbers(table, x):
     """Return the Layout of a table by its numbers."""
     columns, header = x.shape[1], table.head[-1] if table.head else []
-    unit = _unit(x[:, 0], " ".join(header))
+    unit = unit_of(x[:, 0], " ".join(header))
     stamps = f"stamps in {UNITS[unit]}"
     other = len(_cleaned(header)) == columns
     unknown = "columns in the order of the format, though the header names others" if other else ""
@@ -216,7 +216,7 @@ def _cleaned(words):
     return names[1:] if names[:1] == ["fields"] else names  # so starts a line in a PCD file
 
 
-def _unit(t, header=""):
+def unit_of(t, header=""):
     """Return the unit of stamps by their size since 1970, by the header or by their steps."""
     size, whole = np.median(np.abs(t)), (t == np.round(t)).all()
     for unit, least in (("ns", 1e17), ("us", 1e14), ("ms", 1e11)):

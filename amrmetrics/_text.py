@@ -21,6 +21,8 @@ REPAIRABLE = 0.1
 
 # Below this size the fast reader takes longer to load than the plain one to read.
 LARGE = 2_000_000
+# Rows that show whether a column has numbers.
+LOOKED_AT = 100
 # Bytes in which a regular file begins with its numbers.
 BEGINNING = 65_536
 
@@ -51,7 +53,7 @@ class Table:
     """
 
     def __init__(self, path):
-        self.path, self._rows = str(path), None
+        self.path, self._rows, self._columns = str(path), None, None
         values = self._read_from_disk()
         self.values = self._read_text() if values is None else values
 
@@ -133,6 +135,8 @@ class Table:
         entries = [(k, _words(line)) for k, line in numbered]
         entries = [(k, words) for k, words in entries if words]
         width = _most_common([len(words) for _, words in entries])
+        if self.commas:
+            entries, width = self._without_words(entries, width)
         for k, words in entries:
             why = _why_bad(words, width)
             if why:
@@ -145,6 +149,24 @@ class Table:
             self.note(f"lines left out ({why})", k, len(bad), of=len(entries))
         self._lines = np.array(lines)
         return np.array(rows)
+
+    def _without_words(self, entries, width):
+        """Leave out columns that hold no numbers, such as the names of frames."""
+        whole = [words for _, words in entries if len(words) == width]
+        some = whole[:LOOKED_AT]
+        kept = [k for k in range(width) if any(_is_number(words[k]) for words in some)]
+        if len(kept) == width or len(some) < 2:
+            return entries, width
+        self._columns = kept
+        k = min(set(range(width)) - set(kept))
+        what = f"columns without numbers, such as {some[0][k] or 'nothing'} in column {k + 1}"
+        self.note(f"{what}, left out", self._first)
+        self.head = [self._used(words, width) for words in self.head]
+        return [(line, self._used(words, width)) for line, words in entries], len(kept)
+
+    def _used(self, words, width):
+        """Return the words of the columns that are used, of a line that has them all."""
+        return [words[k] for k in self._columns] if len(words) == width else words
 
     @cached_property
     def _lines(self):
@@ -167,6 +189,7 @@ class Table:
 
     def word(self, row, column):
         """Return an entry as it stands in the file."""
+        column = column if self._columns is None else self._columns[column]
         return _words(self._text[self.lines[row] - 1])[column]
 
     def keep(self, rows):

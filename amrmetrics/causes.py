@@ -227,9 +227,7 @@ def _inverse_poses(best, left, p, Y):
         return None
     found = _fitted(p, inverse(Y)[:, :-1, -1], best.mode)
     if found and found.rmse <= left:
-        return (
-            f"the inverse poses fit to {found.rmse:.3g} m: the estimate maps the world to the body"
-        )
+        return f"the inverse poses fit to {found.rmse:.3g} m: one of the two maps world to body"
     return None
 
 
@@ -286,7 +284,10 @@ def _about_orientations(summary, best, X, Y, size, mirrored):
     off = min(before, rest, by_world)
     left = _mean_turn(X, inverted, _nearest_turn(X, inverted))
     if off > LARGE_ANGLE and left <= min(FIFTH * off, FITS_ANGLE) and not mirrored:
-        return ["the inverse rotations fit: the estimate's orientations turn the world to the body"]
+        return ["the inverse rotations fit: those of one of the two turn world to body"]
+    reordered = _reordered(X, Y, min(FIFTH * off, FITS_ANGLE)) if off > LARGE_ANGLE else None
+    if reordered and not mirrored:
+        return [reordered]
     if rest > min(HALF * before, FITS_ANGLE):
         return []
     # Another rotation of the world explains it as well, unless the positions speak against it.
@@ -299,6 +300,31 @@ def _about_orientations(summary, best, X, Y, size, mirrored):
         f"{np.degrees(rest):.2g} deg: the two describe different frames of the body (see body=, "
         "--body)"
     ]
+
+
+def _reordered(X, Y, left):
+    """Test if the quaternions of one of the two were read with the scalar in the wrong place."""
+    if X.shape[1] == 3:
+        return None
+    from scipy.spatial.transform import Rotation
+
+    some = slice(None, None, max(1, len(X) // MANY))
+    pair = {"estimate": Y[some], "reference": X[some]}
+    fits = []
+    for name, given in pair.items():
+        q = Rotation.from_matrix(given[:, :3, :3]).as_quat()
+        for order, by in (("qw qx qy qz", -1), ("qx qy qz qw", 1)):
+            Z = np.array(given)
+            Z[:, :3, :3] = Rotation.from_quat(np.roll(q, by, axis=1)).as_matrix()
+            B, A = (pair | {name: Z}).values()
+            off = _mean_turn(A, B, _nearest_turn(A, B))
+            if off <= left:
+                to = f"{np.degrees(off):.2g} deg"
+                fits.append(f"the {name}'s quaternions, read as {order}, fit to {to}")
+    if not fits:
+        return None
+    why = "the scalar was taken from the wrong column (see columns=, --columns)"
+    return f"{' or '.join(fits)}: {why}"
 
 
 def _speak_against(rotation, best, X, Y, size):

@@ -27,8 +27,8 @@ exit codes: 0 done, 2 something was wrong, and the last line says what
 # What messages of the library advise, and how it is said here.
 OPTIONS = {
     "mode='": "--align '",
-    'first: columns="': 'first: --columns "',
     "try offset=": "try --offset ",
+    "(clock_offset estimates": "(--offset auto estimates",
     "max_difference=": "--max-difference ",
     "read_kitti(path, times=...)": "--times",
 }
@@ -57,7 +57,8 @@ def main(arguments=None):
 
 def _in_words_of_the_command(text):
     """Return a message of the library with the options that do what it advises."""
-    text = re.sub(r'amrmetrics\.read\(path, columns=("[^"]*")\)', r"--columns \1", text)
+    longer = r"cut the longer one: trajectory\[:(\d+)\]"
+    text = re.sub(longer, r"leave the first \1 poses in the longer file", text)
     for name, option in OPTIONS.items():
         text = text.replace(name, option)
     return text
@@ -79,7 +80,12 @@ def _parser():
     files = parser.add_argument_group("files")
     add = files.add_argument
     add("--format", choices=READERS, default="auto", help="of all files; recognized by default")
-    add("--columns", help='what the columns are, such as "ns x y z qw qx qy qz"')
+    add(
+        "--columns",
+        action="append",
+        metavar="[FILE=]NAMES",
+        help='what the columns of all files, or of one, are, such as "ns x y z qw qx qy qz"',
+    )
     add("--times", help="stamps of KITTI files, their times.txt")
     add("--strict", action="store_true", help="refuse what would be repaired")
     pairs = parser.add_argument_group("which samples belong together")
@@ -180,7 +186,8 @@ def _read(path, options):
         return read_bag(path[:at], path[at + 1 :])
     if is_bag(path):
         raise AmrError(f"{path} is a bag; say which topic, such as {path}:/odom.")
-    if options.format != "auto" and options.columns:
+    columns = _columns(path, options)
+    if options.format != "auto" and columns:
         raise AmrError("--columns says what the files are; leave out --format.")
     if options.format in ("tum", "euroc") and options.times:
         raise AmrError(f"--times are the stamps of KITTI files, and --format is {options.format}.")
@@ -190,7 +197,28 @@ def _read(path, options):
         return files.read_tum(path, options.strict)
     if options.format == "euroc":
         return files.read_euroc(path, options.strict)
-    return files.read(path, options.times, options.strict, options.columns)
+    try:
+        return files.read(path, options.times, options.strict, columns)
+    except AmrError as error:
+        advice = r'(?:amrmetrics\.read\(path, )?columns="([^"]*)"\)?'
+        raise AmrError(
+            re.sub(advice, lambda found: f'--columns "{path}={found[1]}"', str(error))
+        ) from None
+
+
+def _columns(path, options):
+    """Return what --columns says of a file: what is said of it alone, or of all."""
+    of_all, of_one = None, {}
+    for text in options.columns or []:
+        name, given, names = text.rpartition("=")
+        if given:
+            of_one[name] = names
+        else:
+            of_all = names
+    for name in of_one:
+        if name not in (options.reference, *options.estimate):
+            raise AmrError(f"--columns is given for {name}, which is not one of the files.")
+    return of_one.get(path, of_all)
 
 
 def _estimate(path, options):

@@ -48,6 +48,9 @@ PLANES = ("xy", "xz", "yz")
 DEVIATIONS = 2
 # Pairs of runs from which a comparison can show something at 95 %.
 ENOUGH_RUNS = 6
+# An ATE of this part of what a point leaves that never moves, from so many poses, is worth a word.
+UNLIKE = 0.5
+ENOUGH_POSES = 10
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -409,6 +412,8 @@ def _report(
     p, q = pair
     error = ate(p, q, align, first=first)
     error.compared.body = body
+    if not error.notes:
+        notes += _unlike(p, error)
     skipped, found = {}, []
     poses = p.poses.ndim == q.poses.ndim == 3
     if poses:
@@ -443,7 +448,12 @@ def _report(
 def _estimated_offset(reference, estimate, offset):
     if offset != "auto":
         raise AmrError(f'offset is {offset!r}; expected a number of seconds or "auto".')
-    return clock_offset(reference, estimate)
+    try:
+        return clock_offset(reference, estimate)
+    except AmrError as error:
+        named = {"X": "the reference", "Xh": "the estimate"}
+        text = re.sub(r"\bXh?\b", lambda name: named[name[0]], str(error))
+        raise AmrError(f"no clock offset could be estimated: {text}") from None
 
 
 def _widened(max_difference, offset, stamps):
@@ -490,6 +500,18 @@ def _stretches(deltas):
     if not all(isinstance(pair, tuple | list) and len(pair) == 2 for pair in pairs):
         raise AmrError(f"deltas is {deltas!r}; expected pairs such as [(10, 'm'), (1, 's')].")
     return pairs
+
+
+def _unlike(reference, error):
+    """Say if an estimate is not much better than none."""
+    xyz = reference.positions
+    still = float(np.sqrt(((xyz - xyz.mean(axis=0)) ** 2).sum(axis=1).mean()))
+    if len(xyz) < ENOUGH_POSES or error.rmse < UNLIKE * still:
+        return []
+    return [
+        f"the ATE of a point that never moves would be {still:.4g} m: the estimate hardly follows "
+        "the reference"
+    ]
 
 
 def _unless_refused(skipped, what, compute):

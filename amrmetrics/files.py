@@ -17,6 +17,7 @@ import numpy as np
 
 from amrmetrics._arguments import ORTHONORMAL_WITHIN, as_numbers, as_poses, blocks
 from amrmetrics._layouts import (
+    LOOKED_AT,
     REPAIRABLE_QUATERNION,
     SECONDS,
     WXYZ,
@@ -24,6 +25,7 @@ from amrmetrics._layouts import (
     off_rotation,
     recognized,
     stated,
+    unit_of,
 )
 from amrmetrics._text import REPAIRABLE, Table
 from amrmetrics.errors import AmrError, RecordingWarning
@@ -42,6 +44,8 @@ ALL_ZERO = "every quaternion in the file is 0 0 0 0"
 REPAIRABLE_MATRIX = 2e-3
 # Fewer neighboring lines out of order may be misplaced ones, and more are a second run.
 SHORTEST_RUN = 10
+# Coordinates of which six digits, the default of many programs, end at a meter or above.
+FAR_AWAY = 1e5
 
 
 def read(
@@ -119,10 +123,11 @@ def read_tum(path: Path, strict: bool = False) -> Trajectory:
     Warns
     -----
     RecordingWarning
-        What was repaired: lines without numbers and repeated stamps left out, stamps out of
-        order sorted, quaternions off by up to 1 % normalized; a header line, semicolons,
-        letters that are not UTF-8; and what had to be assumed, such as that the scalar is the
-        last of four although the first quaternion is 1 0 0 0.
+        What was repaired: lines and columns without numbers and repeated stamps left out,
+        stamps out of order sorted, quaternions off by up to 1 % normalized; a header line,
+        semicolons, letters that are not UTF-8; what had to be assumed, such as that the scalar is
+        the last of four although the first quaternion is 1 0 0 0; and what was kept and is
+        doubtful: poses at the origin in the middle of a run, coordinates with six digits only.
 
     Raises
     ------
@@ -255,6 +260,7 @@ def _read(path, readable, strict, times=None, columns=None):
         table.note(layout.assumed, table.lines[0])
     stamps, frames = _clock(table, layout, times)
     poses, why = _poses(table, layout)
+    _note_doubtful(table, poses)
     repairs = tuple(_said(*repair) for repair in table.repairs)
     try:
         trajectory = Trajectory(stamps, poses, os.path.basename(path), repairs, frames, why)
@@ -292,7 +298,8 @@ def _refusal(layout, readable, table):
     if layout.why.endswith("plane"):
         return f"{found}. amrmetrics.Trajectory(stamps, amrmetrics.planar_poses(xy, yaw)) takes it."
     stamped = (np.diff(table.values[:, 0]) > 0).all()
-    columns = layout.columns or ("s x y z" if stamped else "x y z")
+    unit = unit_of(table.values[:, 0])
+    columns = layout.columns or (f"{unit} x y z" if stamped else "x y z")
     return (
         f"{found}. If you know what they are, name them, for example: "
         f'amrmetrics.read(path, columns="{columns}").'
@@ -338,8 +345,13 @@ def _stamps_of(table, frames, times):
 
 def _in_order(table, stamps, columns, name):
     """Return stamps in order, rows with those that repeat left out and others sorted."""
-    if (np.diff(stamps) > 0).all():
+    steps = np.diff(stamps)
+    if (steps > 0).all():
         return stamps
+    if len(stamps) > SHORTEST_RUN and (steps < 0).all():
+        table.note(f"{name} in falling order, turned round", table.lines[0])
+        table.keep(np.arange(len(stamps))[::-1])
+        return stamps[::-1]
     _refuse_lost_digits(table, stamps, columns)
     order = np.argsort(stamps, kind="stable")
     fresh = np.r_[True, np.diff(stamps[order]) > 0]
@@ -424,6 +436,28 @@ def _poses(table, layout):
     if not q.any():
         return xyz, ALL_ZERO
     return spatial_poses(xyz, _unit_quaternions(table, q)), ""
+
+
+def _note_doubtful(table, poses):
+    """Note poses that stand for none, and positions that were cut to six digits."""
+    xyz = poses if poses.ndim == 2 else poses[:, :3, 3]
+    if len(xyz) < SHORTEST_RUN:
+        return
+    lost = xyz[:, 0] == 0
+    if lost.any():
+        lost[lost] = ~xyz[lost].any(axis=1)
+        if poses.ndim == 3:
+            lost[lost] = (poses[lost, :3, :3] == np.eye(3)).all((1, 2))
+        lost[: int(np.argmin(lost))] = False  # many start there
+    if lost.any() and not lost.all():
+        what = "poses exactly at the origin after it was left, as of frames that were lost; kept"
+        table.repairs.append((what, table.lines[lost.argmax()], int(lost.sum())))
+    for coordinates in xyz[:LOOKED_AT].T[np.abs(xyz[0]) >= FAR_AWAY]:
+        cut = [float(f"{x:.6g}") for x in coordinates]
+        if (coordinates == cut).all() and np.ptp(coordinates) > 0:
+            step = 10 ** (np.floor(np.log10(np.abs(coordinates[0]))) - 5)
+            table.note(f"coordinates of six digits, in steps of {step:g} m", table.lines[0])
+            return
 
 
 def _unit_quaternions(table, q):

@@ -174,9 +174,9 @@ def _by_number(reference, estimate):
         n, m = len(reference), len(estimate)
         raise AmrError(
             f"the reference has {n} poses and the estimate {m}, and not both have stamps to match "
-            "them by. If one stopped early, cut the longer one: trajectory[:n]. If frames were "
-            "left out, write their numbers before the poses and give the sequence's times.txt for "
-            "both: read_kitti(path, times=...)."
+            f"them by. If one stopped early, cut the longer one: trajectory[:{min(n, m)}]. If "
+            "frames were left out, write their numbers before the poses and give the sequence's "
+            "times.txt for both: read_kitti(path, times=...)."
         )
     every = np.arange(len(reference))
     return _matched(reference, estimate, every, every, 0.0, "order in the files")

@@ -147,10 +147,13 @@ def _no_match(t, u, offset, limit):
         start = float(t[0] - u[0])
         help_ = (
             f"The ranges do not overlap: try offset={start!r} if both start together "
-            "(clock_offset estimates it), and check that both are in seconds"
+            "(clock_offset estimates it from their turns), and check that both are in seconds"
         )
     else:
-        help_ = f"Try max_difference={_rounded_up(apart)} or more, or another offset"
+        help_ = (
+            f"Try max_difference={_rounded_up(apart)} or more, or another offset "
+            "(clock_offset estimates it from their turns)"
+        )
     gaps = [f"{np.median(np.diff(x)):.6g} s" if len(x) > 1 else "none" for x in (t, u)]
     return (
         f"no stamps match within max_difference={limit:g} s: the nearest two are {apart:.6g} s "
@@ -444,7 +447,7 @@ def _coarse_lag(w, v, width, slower):
     best = int(np.argmax(match))
     if match[best] ** 2 < 0.5:
         raise AmrError(
-            f"the angular speeds of X and Xh agree at no offset (correlation {match[best]:.2f} at "
+            f"the angular speeds of the two agree at no offset (correlation {match[best]:.2f} at "
             "best). Are they one motion, recorded at the same time, and is enough of it turning? "
             f"One of them has a pose every {slower:.2g} s, which must be short against the turns."
         )

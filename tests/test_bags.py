@@ -1,6 +1,7 @@
 """Bags that rosbags writes come back: every message type, ROS 1, ROS 2 and mcap."""
 
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from rosbags.rosbag2 import Writer as Writer2
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 import amrmetrics as am
+from amrmetrics.bags import _as_trajectory, _transforms, is_bag
 from amrmetrics.command import main
 
 T = 1.7e9 + np.arange(30) * 0.1
@@ -140,9 +142,66 @@ def test_without_rosbags_it_says_what_to_install(tmp_path, monkeypatch):
         am.read_bag(tmp_path / "run.bag", "/odom")
 
 
-def test_headers_without_a_stamp_are_refused():
-    from amrmetrics.bags import _as_trajectory
+@pytest.mark.parametrize("name", ["run.bag", "run.mcap", "run_0.db3"])
+def test_what_a_bag_is(tmp_path, name):
+    assert is_bag(tmp_path / name)
+    assert not is_bag(tmp_path / "run.txt")
+    assert not is_bag(tmp_path)
+    (tmp_path / "metadata.yaml").touch()
+    assert is_bag(tmp_path)
 
+
+def test_the_file_in_the_folder_of_a_bag(bag):
+    for path in bag.glob("*.db3") if bag.is_dir() else ():
+        assert np.array_equal(am.read_bag(path, "/odom").stamps, am.read_bag(bag, "/odom").stamps)
+
+
+def test_frames_are_named_with_or_without_a_slash():
+    name = SimpleNamespace
+    zero, one = name(x=0.0, y=0.0, z=0.0), name(x=0.0, y=0.0, z=0.0, w=1.0)
+    header = name(frame_id="/map", stamp=name(sec=1, nanosec=500_000_000))
+    move = name(translation=zero, rotation=one)
+    message = name(transforms=[name(header=header, child_frame_id="/a.b", transform=move)])
+    for parent in ("map", "/map"):
+        (found,) = _transforms(message, parent, "a.b")
+        assert found == (1.5, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+    assert not list(_transforms(message, "odom", "a.b"))
+
+
+def test_a_child_frame_may_have_a_point(tmp_path):
+    log = Recorder(tmp_path / "run", "ros2")
+    geometry = "geometry_msgs/msg/"
+    with log.writer:
+        for t in T:
+            shift = log.make(geometry + "Vector3", t - T[0], 0.0, 0.0)
+            move = log.make(
+                geometry + "Transform", shift, log.make(geometry + "Quaternion", 0.0, 0.0, 0.0, 1.0)
+            )
+            one = log.make(geometry + "TransformStamped", log.header(t, "map"), "arm.tip", move)
+            message = log.make("tf2_msgs/msg/TFMessage", [one])
+            log.write("/tf", "tf2_msgs/msg/TFMessage", message, t)
+    assert len(am.read_bag(tmp_path / "run", "/tf:map.arm.tip")) == len(T)
+
+
+@pytest.mark.parametrize("oriented", [False, True])
+def test_repeated_stamps_keep_what_belongs_to_them(oriented):
+    X, q = poses()
+    order = [0, 1, 1, 2, 5, 3]
+    messages = [
+        (float(k), tuple(X[n, :3, 3]), tuple(q[n]) if oriented else None)
+        for n, k in enumerate(order)
+    ]
+    found = _as_trajectory(messages, "run.bag:/odom")
+    first = [0, 1, 3, 5, 4]
+    assert found.stamps.tolist() == [0, 1, 2, 3, 5]
+    assert np.allclose(found.positions, X[first, :3, 3])
+    if oriented:
+        assert np.allclose(found.poses, X[first])
+    assert found.repairs == ("1 repeated stamps left out",)
+    assert _as_trajectory(messages[:2], "run.bag:/odom").repairs == ()
+
+
+def test_headers_without_a_stamp_are_refused():
     point = (0.0, (1.0, 2.0, 3.0), None)
     with pytest.raises(am.AmrError, match=r"all 5 messages of run\.bag:/prism have the stamp 0 s"):
         _as_trajectory([point] * 5, "run.bag:/prism")

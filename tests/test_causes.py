@@ -257,6 +257,24 @@ def test_world_to_body_rotations_alone():
     assert "the inverse rotations fit" in found[0]
 
 
+@pytest.mark.parametrize(("by", "order"), [(1, "qw qx qy qz"), (-1, "qx qy qz qw")])
+def test_a_quaternion_with_the_scalar_in_the_wrong_place(by, order):
+    X, Y = flight(), noisy(moved(flight()))
+    q = Rotation.from_matrix(Y[:, :3, :3]).as_quat()
+    wrong = np.array(Y)
+    wrong[:, :3, :3] = Rotation.from_quat(np.roll(q, by, axis=1)).as_matrix()
+    why = "the scalar was taken from the wrong column (see columns=, --columns)"
+    for name, pair in (("estimate", (X, wrong)), ("reference", (wrong, X))):
+        found = f"the {name}'s quaternions, read as {order}, fit to 0.5 deg: {why}"
+        assert notes(*pair) == (found,)
+    # In one world frame, the numbers do not tell which of the two it is.
+    q = Rotation.from_matrix(X[:, :3, :3]).as_quat()
+    wrong = am.spatial_poses(am.positions(noisy(X)), np.roll(q, by, axis=1))
+    (said,) = notes(X, wrong)
+    assert said.startswith(f"the estimate's quaternions, read as {order}, fit to ")
+    assert " or the reference's quaternions, read as q" in said
+
+
 def test_a_left_handed_frame():
     X = flight()
     p = am.positions(X)

@@ -269,8 +269,61 @@ class TestErrors:
         assert code == 2
         assert "amrmetrics.read" not in error
         said = re.findall(r'--columns "([^"]*)"', error)
-        assert said == ["ns x y z qx qy qz qw", "ns x y z qw qx qy qz"]
-        assert run(capsys, "run.csv", "run.csv", "--columns", said[0])[0] == 0
+        assert said == ["run.csv=ns x y z qx qy qz qw", "run.csv=ns x y z qw qx qy qz"]
+        am.write_tum("truth_1970.txt", T0 / 1e9 + T, drive().poses)  # needs no columns
+        both = ("truth_1970.txt", "run.csv", "--json", "-")
+        code, out, _ = run(capsys, *both, "--columns", said[0])
+        assert code == 0
+        assert json.loads(out)["coverage"]["matched"] == len(T)
+        assert json.loads(out)["ate"]["rmse"] < 1e-4
+        # What is said of one file goes before what is said of all.
+        more = ("--columns", "s x y z", "--columns", said[0])
+        found = json.loads(run(capsys, *both, *more)[1])
+        assert found["ate"]["rmse"] < 1e-4
+        assert found["rpe"] == []
+        code, _, error = run(capsys, *both, "--columns", "other.csv=ns x y z")
+        assert code == 2
+        assert "--columns is given for other.csv, which is not one of the files" in error
+
+    def test_advice_for_files_of_different_length_without_stamps(self, files, capsys):
+        am.write_kitti("long.kitti", drive())
+        am.write_kitti("short.kitti", drive(0.02, 1)[:900])
+        _, _, error = run(capsys, "long.kitti", "short.kitti")
+        n = int(re.search(r"early, leave the first (\d+) poses in the longer file\.", error)[1])
+        text = (files / "long.kitti").read_text(encoding="utf-8").splitlines(keepends=True)
+        (files / "cut.kitti").write_text("".join(text[:n]), encoding="utf-8")
+        code, out, _ = run(capsys, "cut.kitti", "short.kitti", "--json", "-")
+        assert code == 0
+        assert json.loads(out)["ate"]["rmse"] < 0.05
+
+    def test_no_clock_offset_in_words_of_the_command(self, files, capsys):
+        np.savetxt("prism.txt", np.c_[T, drive().positions], fmt="%.9f")
+        still = am.spatial_poses(drive().positions, [[0, 0, 0, 1]] * len(T))
+        am.write_tum("still.txt", T, still)
+        for name, says in (("prism", "has no orientations"), ("still", "does not vary")):
+            for pair, who in (
+                ((f"{name}.txt", "good.txt"), "the reference"),
+                (("good.txt", f"{name}.txt"), "the estimate"),
+            ):
+                code, _, error = run(capsys, *pair, "--offset", "auto")
+                assert code == 2
+                assert "no clock offset could be estimated" in error
+                assert re.search(rf"{who} {says}", error), error
+
+    def test_advice_for_a_clock_of_its_own(self, files, capsys):
+        rng = np.random.default_rng(0)
+        yaw = np.cumsum(np.cumsum(rng.normal(size=len(T)))) * 1e-4
+        X = am.planar_poses(np.c_[2 * T, np.sin(T)], yaw)
+        am.write_tum("a.txt", 1.5e9 + T, X)
+        am.write_tum("b.txt", T, X)
+        _, _, error = run(capsys, "a.txt", "b.txt")
+        advice = re.search(
+            r"try (--offset) (\S+) if .* \((--offset) (auto) estimates it from", error
+        )
+        for option, value in (advice.groups()[:2], advice.groups()[2:]):
+            code, out, _ = run(capsys, "a.txt", "b.txt", option, value, "--json", "-")
+            assert code == 0
+            assert json.loads(out)["ate"]["rmse"] < 1e-3
 
     def test_advice_for_frames_that_were_left_out(self, files, capsys):
         am.write_kitti("truth.kitti", drive())

@@ -1,11 +1,14 @@
 """One call gives the numbers of the single functions, and says what it could not compute."""
 
 import json
+import re
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import amrmetrics as am
+from amrmetrics.command import _body
 from amrmetrics.stamps import ClockOffset
 
 T = np.arange(0, 120, 0.1)
@@ -281,3 +284,55 @@ class TestSeveral:
         names = {report.name for report in am.evaluate(paths[0], paths)}
         assert names == {str(path) for path in paths}
         assert len(am.evaluate(drive(), [drive(0.01), drive(0.02)])) == 2
+
+    def test_columns_stand_in_the_order_of_the_longest_table(self):
+        bare = am.Trajectory(T, drive(0.01, 1).positions)
+        found = am.evaluate(drive(), {"bare": bare, "good": drive(0.02, 1)})
+        assert [x.name for x in found] == ["bare", "good"]
+        columns = list(found.table()[0])
+        assert columns.index("rpe_1m_rmse_m") < columns.index("drift_percent")
+        assert columns[-2:] == ["jumps", "lost_s"]
+        (row,) = am.evaluate(drive(), [drive(0.01)[:600]]).table()
+        assert row["matched_percent"] == pytest.approx(100 * 59.9 / 119.9)
+
+
+class TestAWordOnEstimatesThatDoNotFollow:
+    @pytest.mark.parametrize("part", [0.49, 0.51])
+    def test_half_of_what_a_point_leaves_that_never_moves(self, part):
+        X = drive()
+        p = X.positions
+        still = np.sqrt(((p - p.mean(axis=0)) ** 2).sum(axis=1).mean())
+        apart = part * still * np.where(np.arange(len(T)) % 2, 1, -1)
+        run = am.Trajectory(T, p + np.c_[0 * T, apart])
+        notes = am.evaluate(X, run, align="none").notes
+        said = f"the ATE of a point that never moves would be {still:.4g} m"
+        assert any(said in note for note in notes) == (part > 0.5), notes
+
+    def test_few_samples_show_nothing(self):
+        X = drive()[:10]
+        apart = np.where(np.arange(10) % 2, 1, -1)
+        run = am.Trajectory(X.stamps, X.positions + np.c_[0 * apart, apart])
+        for n, said in ((10, True), (9, False)):
+            pair = X[:n], run[:n]
+            notes = am.evaluate(*pair, align="none").notes
+            assert any("never moves" in note for note in notes) == said
+
+    def test_jumps_across_a_gap_that_may_be(self):
+        kept = (np.arange(len(T)) < 300) | (np.arange(len(T)) > 340)
+        run = drive(0.001, 1)[kept]
+        assert am.evaluate(drive(), run).jumps.steps == kept.sum() - 2
+        assert am.evaluate(drive(), run, max_gap=5).jumps.steps == kept.sum() - 1
+
+    def test_a_given_body_is_part_of_the_advice(self):
+        t = np.arange(0, 60, 0.1)
+        e = np.c_[t / 4, 0.4 * np.sin(t / 3), 0.5 * np.cos(t / 2)]
+        q = Rotation.from_euler("zyx", e).as_quat()
+        X = am.spatial_poses(np.c_[9 * np.cos(t / 4), 9 * np.sin(t / 4), np.sin(t)], q)
+        arm = am.spatial_poses([[0.7, -0.3, 0.4]], [[0, 0, 0, 1]])[0]
+        truth, run = am.Trajectory(t, X), am.Trajectory(t, X @ arm)
+        body = am.spatial_poses([[0.2, 0.1, 0]], [[0, 0, 0, 1]])[0]
+        report = am.evaluate(truth, run, body=body)
+        (note,) = [note for note in report.notes if "lever arm" in note]
+        advised = _body(re.search('--body "([^"]*)"', note)[1])
+        assert "body=body @ arm.body" in note
+        assert am.evaluate(truth, run, body=advised).ate.rmse < 1e-3

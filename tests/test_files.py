@@ -239,6 +239,80 @@ class TestRepairs:
         assert str(no.value).startswith(f"{path}: {found.repairs[0]}. ")
         return found
 
+    def test_lines_in_falling_order(self, tmp_path):
+        said = "stamps in falling order, turned round, line 1"
+        found = self.repaired(tmp_path, tum()[::-1], said)
+        assert np.abs(found.positions - drive()[1]).max() < 1e-8
+        self.repaired(tmp_path, tum(11)[::-1], said)
+        with pytest.raises(am.AmrError, match="several runs in one file"):
+            am.read_tum(write(tmp_path / "run.txt", "".join(tum(10)[::-1])))
+
+    @pytest.mark.parametrize("rest", [" 0 0 0 0 0 0 1\n", " 0 0 0\n"])
+    def test_frames_that_were_lost_and_written_as_the_origin(self, tmp_path, rest):
+        lines = tum() if len(rest) > 9 else [" ".join(x.split()[:4]) + "\n" for x in tum()]
+        for k in (0, 1, 7, 8, 20):  # many begin at the origin
+            lines[k] = lines[k].split()[0] + rest
+        said = "3 poses exactly at the origin after it was left, as of frames that were lost; kept"
+        path = write(tmp_path / "run.txt", "".join(lines))
+        found, message = warned(am.read_tum, path)
+        assert f"{said}, first in line 8" in message
+        assert len(found) == 40
+        turned = lines[:7] + [lines[7].replace(rest, " 0 0 0 0 0 1 0\n")] + tum()[8:]
+        if len(rest) > 9:
+            assert am.read_tum(write(path, "".join(turned))).repairs == ()
+
+    @pytest.mark.parametrize(("north", "step"), [(4_949_000.0, 10), (123_456.0, 1)])
+    def test_coordinates_that_lost_digits(self, tmp_path, north, step):
+        t, xyz, q = drive()
+        rows = np.c_[t, 30 * xyz + [0, north, 0], q]
+        form = ["%.9f", "%.6g", "%.6g", "%.6g", *4 * ["%.9f"]]
+        lines = [" ".join(f % x for f, x in zip(form, row, strict=True)) + "\n" for row in rows]
+        self.repaired(tmp_path, lines, f"coordinates of six digits, in steps of {step} m, line 1")
+        form[1:4] = 3 * ["%.8g"]
+        lines = [" ".join(f % x for f, x in zip(form, row, strict=True)) + "\n" for row in rows]
+        assert am.read_tum(write(tmp_path / "run.txt", "".join(lines))).repairs == ()
+        rows[:, 2] = north  # a constant says nothing
+        lines = [" ".join(f"{x:.9f}" for x in row) + "\n" for row in rows]
+        assert am.read_tum(write(tmp_path / "run.txt", "".join(lines))).repairs == ()
+
+    def test_columns_of_words(self, tmp_path):
+        """As rostopic echo -p and ros2 topic echo --csv write them."""
+        t, xyz, q = drive()
+        names = "%time,field.header.seq,field.header.stamp,field.header.frame_id,"
+        pose = "field.pose.pose.position.x,field.pose.pose.position.y,field.pose.pose.position.z"
+        turn = ",".join(f"field.pose.pose.orientation.{x}" for x in "xyzw")
+        ns = (t * 1e9).round().astype(int)
+        numbers = [",".join(f"{x:.9f}" for x in row) for row in np.c_[xyz, q]]
+        lines = [
+            f"{s},{k},{s},odom,{x}\n" for k, (s, x) in enumerate(zip(ns, numbers, strict=True))
+        ]
+        said = "columns without numbers, such as odom in column 4, left out, line 2"
+        header = f"{names}{pose},{turn}\n"
+        found = self.repaired(tmp_path, [header, *lines], said, am.read)
+        assert np.abs(found.stamps - t).max() < 1e-6
+        assert np.abs(found.poses - am.spatial_poses(xyz, q)).max() < 1e-8
+        split = [
+            f"{s // 10**9},{s % 10**9},odom,base,{x}\n" for s, x in zip(ns, numbers, strict=True)
+        ]
+        said = "columns without numbers, such as odom in column 3, left out, line 1"
+        found = self.repaired(tmp_path, split, said, am.read)
+        assert np.abs(found.poses - am.spatial_poses(xyz, q)).max() < 1e-8
+
+    def test_a_column_of_words_does_not_move_what_is_said_of_others(self, tmp_path):
+        lines = [f"{2**60 + k},odom,{k % 3},2,3,1,0,0,0\n" for k in range(40)]
+        path = write(tmp_path / "run.csv", "".join(lines))
+        with pytest.raises(am.AmrError, match=rf"the stamps {2**60} and {2**60 + 1} differ"):
+            am.read(path, columns="ns x y z qw qx qy qz")
+        split = [f"odom,{line}" for line in lines]
+        with pytest.raises(am.AmrError, match="has no data"):
+            am.read(write(tmp_path / "run.csv", "".join(split)))
+
+    def test_a_word_among_numbers_is_a_bad_line(self, tmp_path):
+        lines = [line.replace(" ", ",") for line in tum()]
+        lines[5] = lines[5].replace(lines[5].split(",")[2], "lost")
+        said = r"1 lines left out \(lost in column 3 is no number\), first in line 6"
+        assert len(self.repaired(tmp_path, lines, said)) == 39
+
     def test_nothing_to_repair_nothing_said(self, tmp_path, way):
         path = write(tmp_path / "run.txt", "".join(tum()))
         with warnings.catch_warnings():

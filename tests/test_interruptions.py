@@ -54,6 +54,17 @@ class TestJumps:
         assert found.threshold == 0.05
         assert found.count == count
 
+    def test_the_floor_itself_is_no_jump(self):
+        still = am.Trajectory(T, np.zeros((len(T), 2)))
+        for by, count in ((0.05, 0), (np.nextafter(0.05, 1), 1)):
+            moved = am.Trajectory(T, np.c_[np.where(np.arange(len(T)) < 300, 0, by), 0 * T])
+            assert am.evaluate(still, moved, align="none").jumps.count == count
+
+    def test_the_worst_is_found_behind_a_gap(self):
+        kept = (np.arange(len(T)) < 100) | (np.arange(len(T)) > 200)
+        found = am.evaluate(drive(), pushed(drive(), (300, 0.6))[kept]).jumps
+        assert (found.index, found.time) == (199, T[300])
+
     def test_ten_robust_deviations(self):
         noise = 0.05
         clean = am.evaluate(drive(), drive(noise))

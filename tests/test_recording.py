@@ -269,3 +269,29 @@ def test_unmatched_recordings_are_no_pairs(run):
     reference, estimate = am.match(run, run[:50])
     assert len(reference) == 50
     assert am.ate(reference, estimate).rmse < 1e-12
+
+
+class TestWhatIsNoPair:
+    MATCH = r"Match them first: reference, estimate = am\.match"
+
+    def test_the_shorter_one_may_be_either(self, run):
+        for pair in ((run, run[:50]), (run[:50], run)):
+            with pytest.raises(am.AmrError, match=self.MATCH):
+                am.ate(*pair)
+
+    def test_two_samples_are_looked_at(self, run):
+        pair = run[:2], am.Trajectory(run.stamps[:2] + 0.06, run.poses[:2])
+        with pytest.raises(am.AmrError, match=self.MATCH):
+            am.ate(*pair, align="none")
+
+    def test_a_gap_does_not_widen_the_tolerance(self, run):
+        t = run.stamps + np.where(np.arange(60) > 30, 100, 0)
+        pair = [am.Trajectory(x, run.poses) for x in (t, t + 0.06)]
+        with pytest.raises(am.AmrError, match=r"a pose every 0\.1 s"):
+            am.ate(*pair)
+
+    def test_halves_of_two_matches(self, run):
+        reference, _ = am.match(run, run[:50])
+        _, estimate = am.match(run, run[10:])
+        with pytest.raises(am.AmrError, match=self.MATCH):
+            am.ate(reference, estimate)

@@ -384,3 +384,67 @@ class TestNoMatchSaysWhatWouldHelp:
     def test_with_single_samples(self):
         with pytest.raises(am.AmrError, match="typical gap none"):
             am.associate([1.0], [2.0])
+
+
+class TestEdgesOfAGap:
+    @pytest.mark.parametrize(("step", "longest"), [(0.25, 2.5), (0.0625, 1.0)])
+    def test_ten_usual_steps_and_at_least_a_second_are_bridged(self, step, longest):
+        before = np.arange(40) * step
+        for gap, bridged in ((longest, True), (longest + 0.001, False), (0.999 * longest, True)):
+            t = np.r_[before, before[-1] + gap + before]
+            run = am.Trajectory(t, am.planar_poses(np.c_[t, 0 * t], 0 * t))
+            middle = np.array([before[-1] + gap / 2])
+            if bridged:
+                assert len(am.interpolate(run, middle)) == 1
+            else:
+                with pytest.raises(am.AmrError, match=f"a gap of more than max_gap={longest:g} s"):
+                    am.interpolate(run, middle)
+            ends = np.array([before[-1], before[-1] + gap])
+            assert len(am.interpolate(run, ends)) == 2  # samples lie in no gap
+
+
+@pytest.mark.parametrize("apart", [0.0101, 0.0125, 0.02, 0.026, 0.099, 0.0995, 0.3, 17.0, 0.5])
+@pytest.mark.parametrize("start", [0.0, 1.5e9])
+def test_advised_tolerance_is_enough_and_hardly_more(apart, start):
+    t, u = start + np.array([0.0, 100.0]), start + np.array([apart, 40.0])
+    with pytest.raises(am.AmrError, match="no stamps match") as caught:
+        am.associate(t, u)
+    advised = float(re.search(r"Try max_difference=(\S+) or more", str(caught.value))[1])
+    assert len(am.associate(t, u, max_difference=advised)[0]) == 1
+    assert apart * (1 - 1e-6) <= advised <= 1.1 * apart
+
+
+def test_four_samples_are_enough_for_a_clock_offset():
+    t = np.arange(4.0)
+    X = am.planar_poses(np.zeros((4, 2)), [0, 0.1, 0.5, 0.6])
+    assert float(am.clock_offset(t, X, t - 3, X)) == pytest.approx(3, abs=1e-6)
+    with pytest.raises(am.AmrError, match=r"X has 3 and Xh 4 samples; .* needs four or more"):
+        am.clock_offset(t[:3], X[:3], t, X)
+
+
+@pytest.mark.parametrize(("part", "enough"), [(1e-4, True), (1e-8, False)])
+def test_an_angular_speed_that_hardly_varies(part, enough):
+    t = np.arange(0, 60, 0.05)
+    turned = 0.4 * t + part * (np.sin(t) + 0.6 * np.sin(2.3 * t) + 0.3 * np.cos(0.37 * t))
+    X = am.planar_poses(np.zeros((len(t), 2)), turned)
+    if enough:
+        assert float(am.clock_offset(t, X, t - 0.35, X)) == pytest.approx(0.35, abs=1e-3)
+    else:
+        with pytest.raises(am.AmrError, match="the angular speed of X does not vary"):
+            am.clock_offset(t, X, t - 0.35, X)
+
+
+@pytest.mark.parametrize(("square", "enough"), [(0.48, False), (0.52, True)])
+def test_half_of_the_variance_has_to_agree(rng, square, enough):
+    from amrmetrics.stamps import _coarse_lag
+
+    w, noise = rng.normal(size=(2, 4000))
+    w -= w.mean()
+    noise -= noise.mean()
+    noise -= w * (w @ noise) / (w @ w)
+    v = np.sqrt(square) * w / np.std(w) + np.sqrt(1 - square) * noise / np.std(noise)
+    if enough:
+        assert _coarse_lag(w, v, 5, 0.1) == 0
+    else:
+        with pytest.raises(am.AmrError, match=r"agree at no offset \(correlation 0\.69 at best"):
+            _coarse_lag(w, v, 5, 0.1)
