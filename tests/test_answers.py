@@ -12,7 +12,16 @@ import re
 import tokenize
 
 import pytest
-from exercise import ROOT, ProblemSet, grade_id, is_check, is_part, nbgrader, steps_checked_once
+from exercise import (
+    ROOT,
+    ProblemSet,
+    grade_id,
+    is_check,
+    is_part,
+    nbgrader,
+    steps_checked_once,
+    trials_run_once,
+)
 from nbclient import NotebookClient
 
 NAMES = sorted(path.parent.name for path in (ROOT / "solutions").glob("*/*.ipynb"))
@@ -32,7 +41,7 @@ def each_answer(kind):
 
 @pytest.fixture(scope="module", autouse=True)
 def remember():
-    with steps_checked_once():
+    with steps_checked_once(), trials_run_once():
         yield
 
 
