@@ -393,6 +393,24 @@ class TestEvaluate:
         with pytest.raises(am.AmrError, match=r"hall.over.000000 was logged under protocol"):
             am.benchmark.evaluate(copy)
 
+    @pytest.mark.parametrize(
+        ("place", "other", "name"),
+        [
+            ("trials/loop/over/000000", "trials/loop/good/000000", "system good"),
+            ("trials/loop/over/000001", "trials/loop/over/000000", "seed 0"),
+            ("worlds/loop/000001", "worlds/loop/000000", "seed 0"),
+        ],
+    )
+    def test_a_folder_in_the_place_of_another_is_refused(
+        self, folder, tmp_path, place, other, name
+    ):
+        copy = tmp_path / "copy"
+        shutil.copytree(folder, copy)
+        shutil.rmtree(copy / place)
+        shutil.copytree(copy / other, copy / place)
+        with pytest.raises(am.AmrError, match=f"is of {name}: it was moved or copied"):
+            am.benchmark.evaluate(copy)
+
     def test_another_folder_is_refused(self, tmp_path):
         with pytest.raises(am.AmrError, match="not the folder of a benchmark"):
             am.benchmark.evaluate(tmp_path)

@@ -529,6 +529,7 @@ def _entry(folder, protocol, scenario, split, system, seed):
     if said is None:
         return entry
     _check_protocol(said, entry.protocol, path)
+    _check_place(said, path, scenario=scenario, system=system, seed=seed)
     told = {name: said[name] for name in ("status", "kind", "reason", "detail")}
     return TrialEntry(system, scenario, split, seed, path, world, **told, protocol=entry.protocol)
 
@@ -539,6 +540,15 @@ def _check_protocol(said, protocol, path):
             f"{path} was logged under protocol {said['protocol'][:12]}, and the folder has "
             f"{protocol[:12]}. Trials of several protocols cannot be evaluated together."
         )
+
+
+def _check_place(said, path, **expected):
+    for name, value in expected.items():
+        if said[name] != value:
+            raise AmrError(
+                f"{path} is of {name} {said[name]}: it was moved or copied there from another "
+                "place. Delete the folder, and run the benchmark again: it fills what is missing."
+            )
 
 
 def read_trial(entry):
@@ -626,13 +636,14 @@ def _read_truth(entry):
     if not files[0].exists() and entry.status != "ok":
         return None
     state = tuple((f.stat().st_mtime_ns, f.stat().st_size) for f in files if f.exists())
-    return _truth(entry.world, entry.protocol, state)
+    return _truth(entry.world, entry.protocol, entry.scenario, entry.seed, state)
 
 
 @lru_cache(maxsize=1)  # systems that were tried on one world are read one after the other
-def _truth(world, protocol, state):
+def _truth(world, protocol, scenario, seed, state):
     """Return the Truth of a world whose files are in this state; its arrays are read-only."""
     said, files = _verified(world, WORLD, protocol)
+    _check_place(said, world, scenario=scenario, seed=seed)
     stamps, poses = _from_tum(files["truth.tum"], said)
     arrays = _from_npz(files["truth.npz"])
     for array in (stamps, poses, *arrays.values()):
