@@ -16,6 +16,7 @@ import traceback
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 
+from amrmetrics.benchmark.running import SINGLE_THREAD
 from amrmetrics.errors import AmrError
 
 # Seconds that are worked alone first: what is done by then needs no other processes.
@@ -26,8 +27,6 @@ sys.path[:] = {path!r}
 from amrmetrics.benchmark.workers import work
 work()
 """
-# One thread each: there are as many processes as processors.
-THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 def measured(entries, decisions, first_seeds, jobs=None):
@@ -122,7 +121,8 @@ class _Workers:
         return result
 
     def _start(self):
-        environment = os.environ | dict.fromkeys(THREADS, "1")
+        # One thread each: there are as many processes as processors.
+        environment = os.environ | SINGLE_THREAD
         program = subprocess.Popen(
             [sys.executable, "-c", START.format(path=sys.path)],
             stdin=subprocess.PIPE,
