@@ -11,7 +11,7 @@ import time
 import warnings
 from pathlib import Path
 
-from grading import notebooks, wire
+from grading import notebooks, pages, wire
 
 CELL_SECONDS = 30  # of one cell
 CHECK_SECONDS = 120  # of one check, with all calls of the student's functions
@@ -142,9 +142,7 @@ class Checker:
         if part.check != part.shown_check:
             visible = self.judge(part, part.shown_check)
             if visible is None:
-                shown = (
-                    "passes the check of the exercise, and fails on data that only grading has."
-                )
+                shown = "passes the check of the exercise, and fails on data that only grading has."
             elif isinstance(visible, AssertionError):
                 shown = self.words(part, visible)
         return 0, said, shown
@@ -320,6 +318,12 @@ def same_text(a, b):
     return "\n".join(a.split()) == "\n".join(b.split())
 
 
+def without_lines(text, known):
+    """Return a text without the lines that were there before."""
+    known = {line.strip() for line in known.splitlines() if line.strip()}
+    return "\n".join(line for line in text.splitlines() if line.strip() not in known)
+
+
 def files_in(arguments):
     """Return the files that a check made for the student's function to read."""
     found = {}
@@ -359,13 +363,16 @@ def grade(data, material, zygote, order, say, done=()):
     if edited:
         notes.append(f"edited, and replaced by the official one: {', '.join(sorted(edited))}")
     for c in submission.cells:
-        if c.grade_id in material.setup and not same_text(
-            c.source, material.setup[c.grade_id]
-        ):
+        if c.grade_id in material.setup and not same_text(c.source, material.setup[c.grade_id]):
             notes.append(f"{c.grade_id} is edited; checks use the official one")
     for note in notes + notebooks.suspicions(submission.cells, material):
         say({"note": note})
     Checker(material, zygote, order, say, done).grade(submission)
     say({"end": True})
-
-
+    for name, part in material.parts.items():  # at the end: it may take long, and is no mark
+        mine = [c for c in submission.cells if c.grade_id == name]
+        worked = [c for c in mine if not same_text(c.source, part.stub)]
+        if part.by_hand and worked:
+            answer = worked[-1].source
+            # A student's answer stands below the question, which need not be repeated.
+            say({"html": name, "text": pages.prose(without_lines(answer, part.stub)[:20_000])})

@@ -80,7 +80,9 @@ def in_archive(data, before, depth=0):
         elif name.lower().endswith(".zip") and depth < 2:
             with archive.open(member) as file:
                 inner = file.read(LARGEST)
-            yield from in_archive(inner, (*before, *parts[:-1], PurePosixPath(name).stem), depth + 1)
+            yield from in_archive(
+                inner, (*before, *parts[:-1], PurePosixPath(name).stem), depth + 1
+            )
         else:
             yield (*before, *parts), reading(archive, member), ""
 

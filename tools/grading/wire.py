@@ -461,7 +461,7 @@ class Peer:
             return method(argument)
         except TimeoutError:
             raise Gone("slow") from None
-        except (OSError, socket.error):
+        except OSError:
             raise Gone("ended") from None
 
 

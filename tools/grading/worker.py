@@ -174,7 +174,7 @@ def attempt(data, known, zygote, order, result, done):
     os.close(write)
     begun, ended, rest = None, False, b""
     while True:
-        if not select.select([read], [], [], STALLED)[0]:
+        if not select.select([read], [], [], 20 if ended else STALLED)[0]:
             break
         part = os.read(read, 1 << 16)
         if not part:
@@ -195,6 +195,8 @@ def attempt(data, known, zygote, order, result, done):
                 result["answers"][said["answer"]] = {
                     k: said[k] for k in ("source", "there", "touched")
                 }
+            elif "html" in said:
+                result["answers"][said["html"]]["html"] = said["text"]
             elif "unreadable" in said:
                 result["unreadable"] = said["unreadable"]
                 ended = True
