@@ -40,8 +40,8 @@ class Stopped(Exception):
 class Worker:
     """The process that checks one submission after another."""
 
-    def __init__(self, run, slot):
-        self.run, self.slot = run, slot
+    def __init__(self, run, slot, cell_seconds):
+        self.run, self.slot, self.cell_seconds = run, slot, cell_seconds
         self.process = None
 
     def start(self):
@@ -53,8 +53,9 @@ class Worker:
             "root": str(self.run / "root"),
             "home": str(home),
             "hidden": [str(ROOT), str(self.run)],
-            "slot": self.slot,
+            "user": isolation.FIRST_USER + os.getpid() % 500 * 10 + self.slot % 10,
             "limits": LIMITS,
+            "cell_seconds": self.cell_seconds,
         }
         path = [str(self.run / "library"), str(self.run / "tools")]
         environment = {
@@ -66,7 +67,7 @@ class Worker:
             "MPLCONFIGDIR": str(self.run / "matplotlib"),
             "PYTHONDONTWRITEBYTECODE": "1",
         }
-        self.log = open(self.run / f"worker-{self.slot}.log", "ab")
+        self.log = (self.run / f"worker-{self.slot}.log").open("ab")
         self.process = subprocess.Popen(
             [sys.executable, "-P", "-m", "grading.worker"],
             stdin=subprocess.PIPE,
@@ -124,8 +125,9 @@ class Worker:
 class Grading:
     """One run: what was found, what is graded, and what is written."""
 
-    def __init__(self, found, out, jobs, run, quiet=False):
+    def __init__(self, found, out, jobs, run, cell_seconds=30, quiet=False):
         self.found, self.out, self.jobs, self.run, self.quiet = found, out, jobs, run, quiet
+        self.cell_seconds = cell_seconds
         self.materials = {}
         self.records = {}
         self.lock = threading.Lock()
@@ -160,7 +162,7 @@ class Grading:
             raise SystemExit(self.problem)
 
     def work(self, todo, slot):
-        worker = Worker(self.run, slot)
+        worker = Worker(self.run, slot, self.cell_seconds)
         try:
             while not self.stop.is_set():
                 try:
@@ -451,6 +453,7 @@ def main(arguments=None):
         "--out", type=Path, default=ROOT / "build" / "grades", help="for the results"
     )
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="at a time")
+    parser.add_argument("--cell-seconds", type=float, default=30, help="for one cell, or one call")
     asked = parser.parse_args(arguments)
     if not asked.submitted.exists():
         parser.error(f"there is no {asked.submitted}")
@@ -473,7 +476,7 @@ def main(arguments=None):
         with tempfile.TemporaryDirectory(prefix="grading-", ignore_cleanup_errors=True) as folder:
             run = Path(folder)
             prepared(run)
-            grading = Grading(found, asked.out, jobs, run)
+            grading = Grading(found, asked.out, jobs, run, asked.cell_seconds)
             grading.go()
     except KeyboardInterrupt:
         print("\nStopped. The same command goes on from here.", file=sys.stderr)

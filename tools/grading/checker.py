@@ -13,10 +13,9 @@ from pathlib import Path
 
 from grading import notebooks, pages, wire
 
-CELL_SECONDS = 30  # of one cell
-CHECK_SECONDS = 120  # of one check, with all calls of the student's functions
-CALL_SECONDS = 30  # of one call
-TOTAL_SECONDS = 300  # of a submission
+CELL_SECONDS = 30  # of one cell, or one call of a student's function
+CHECK_SECONDS = 150  # of one check, with all calls of the student's functions
+TOTAL_SECONDS = 400  # of a submission
 MOST_STARTS = 12  # of students' processes
 KEPT = 1500  # characters of a message
 
@@ -70,6 +69,7 @@ class Checker:
     def __init__(self, material, zygote, order, say, done=()):
         self.material, self.zygote, self.order, self.say = material, zygote, order, say
         self.done = set(done)
+        self.cell_seconds = (order or {}).get("cell_seconds", CELL_SECONDS)
         self.end_by = time.monotonic() + TOTAL_SECONDS
         self.ran = []  # sources that the student's process has run, but those that ended it
         self.starts = 0
@@ -90,11 +90,11 @@ class Checker:
             process = Process(self.zygote, self.order)
             self.sessions[key] = process
             for source in self.material.setup.values():
-                process.ask({"do": "run", "source": source}, CELL_SECONDS)
+                process.ask({"do": "run", "source": source}, self.cell_seconds)
             if key:
-                process.ask({"do": "take_away", "names": list(key)}, CELL_SECONDS)
+                process.ask({"do": "take_away", "names": list(key)}, self.cell_seconds)
             for source in self.ran:
-                process.ask({"do": "run", "source": source}, CELL_SECONDS)
+                process.ask({"do": "run", "source": source}, self.cell_seconds)
         return self.sessions[key]
 
     def drop(self, key=None):
@@ -110,9 +110,9 @@ class Checker:
             if key:
                 self.drop(key)  # it would have to run this cell, too
         try:
-            said = self.session().ask({"do": "run", "source": source}, CELL_SECONDS)
+            said = self.session().ask({"do": "run", "source": source}, self.cell_seconds)
         except wire.Gone as gone:
-            raise wire.Gone(self.how(gone, self.drop(), CELL_SECONDS)) from None
+            raise wire.Gone(self.how(gone, self.drop(), self.cell_seconds)) from None
         self.ran.append(source)
         return said.get("error")
 
@@ -158,16 +158,19 @@ class Checker:
 
     def judge(self, part, source):
         """Return what the official check raises on the student's answers."""
+        from amrmetrics.check import NotYet
+
         try:
             session = self.session()
-            values = session.ask({"do": "names", "names": list(part.names)}, CELL_SECONDS)
+            values = session.ask({"do": "names", "names": list(part.names)}, self.cell_seconds)
             values = values.get("values")
             if not isinstance(values, dict):
                 raise wire.Gone("sends nonsense")
             space = self.official()
-            for name in part.names:
-                data = values.get(name, ["dots"])
-                space[name] = self.called(session, name, data)
+            answers = {n: self.called(session, n, values.get(n, ["dots"])) for n in part.names}
+            if part.names and all(answer is ... for answer in answers.values()):
+                raise NotYet("there is no answer yet.")
+            space |= answers
             started = time.monotonic()
             self.part_end = started + CHECK_SECONDS
             with self.quiet(), self.watched():
@@ -228,15 +231,15 @@ class Checker:
             process = self.session(self.forbidden)
             number = data[1]
             if process is not session:
-                there = process.ask({"do": "names", "names": [name]}, CELL_SECONDS)["values"]
+                there = process.ask({"do": "names", "names": [name]}, self.cell_seconds)["values"]
                 if not (isinstance(there.get(name), list) and there[name][0] == "call"):
                     raise wire.Gone(f"does not define {name} without the library's function")
                 number = there[name][1]
             files = files_in(arguments)
             if files:
-                process.ask({"do": "files", "files": files}, CELL_SECONDS)
+                process.ask({"do": "files", "files": files}, self.cell_seconds)
             now = time.monotonic()
-            process.peer.deadline = min(now + CALL_SECONDS, self.part_end, self.end_by)
+            process.peer.deadline = min(now + self.cell_seconds, self.part_end, self.end_by)
             return process.peer.call(number, arguments, options)
 
         function.__name__ = function.__qualname__ = str(data[2]) or name
@@ -354,7 +357,7 @@ def grade(data, material, zygote, order, say, done=()):
         worked = [c for c in mine if not same_text(c.source, part.stub)]
         answer = (worked or mine or [notebooks.Cell("", "")])[-1].source
         say({"answer": name, "source": answer, "there": bool(mine), "touched": bool(worked)})
-    checks = {part.check_id: part.shown_check for part in material.parts.values()}
+    checks = {name: part.shown_check for name, part in material.by_check.items()}
     edited = {
         c.grade_id
         for c in submission.cells

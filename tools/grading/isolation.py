@@ -23,7 +23,7 @@ NEW_FILES, NEW_USER, NEW_PROCESSES, NEW_NETWORK = 0x20000, 0x10000000, 0x2000000
 NEW_IPC, NEW_NAME = 0x08000000, 0x04000000
 READ_ONLY, NO_SET_UID, NO_DEVICES, NO_EXECUTION = 1, 2, 4, 8
 REMOUNT, BIND, RECURSIVE, PRIVATE = 32, 4096, 16384, 1 << 18
-FIRST_USER = 60_100  # of users that own nothing
+FIRST_USER = 58_000  # of users that own nothing
 SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/nix/store", "/opt")
 SETTINGS = ("ld.so.cache", "ld.so.conf", "ld.so.conf.d", "alternatives", "fonts", "localtime")
 DEVICES = ("null", "zero", "random", "urandom", "full")
@@ -80,7 +80,7 @@ def enclose(level, order):
     os.chdir(home)
     for name, content in data.items():
         pathlib.Path(name).write_bytes(content)
-    user = FIRST_USER + order["slot"]
+    user = order["user"]
     if os.name == "posix" and os.geteuid() == 0:
         for path in (home, *data):
             os.chown(path, user, user)

@@ -157,10 +157,8 @@ def restore(submission, name, kind, source):
     for cell in submission.cells:
         if cell.grade_id or cell.kind != kind or not cell.source.strip():
             continue
-        if kind == "code" and names:
-            like = len(names & bound(cell.source)) / len(names)
-        else:
-            like = 0.0
+        by_names = kind == "code" and bool(names)
+        like = len(names & bound(cell.source)) / len(names) if by_names else 0.0
         if like < 1:
             a, b = (" ".join(text.split())[:3000] for text in (source, cell.source))
             close = 1.0 if a == b else difflib.SequenceMatcher(None, a, b, False).quick_ratio()

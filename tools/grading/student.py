@@ -103,15 +103,8 @@ def student(level, order, talk):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGCHLD):
             signal.signal(number, signal.SIG_DFL)
         Student(talk, order).serve()
-    except BaseException as error:
-        with contextlib.suppress(BaseException):
-            talk.sendall(b"")
-            if os.environ.get("HOME") is None or order.get("debug"):
-                pathless = repr(error)
-                with open(order.get("debug", os.devnull), "a") as file:
-                    file.write(pathless)
-        os._exit(71)
-    os._exit(0)
+    finally:
+        os._exit(0)
 
 
 class Student:
@@ -138,13 +131,16 @@ class Student:
         self.shell.user_ns = main.__dict__
         sys.path.insert(0, os.getcwd())
         self.peer = wire.Peer(line, self.answer)
-        self.unblock = []
 
     def serve(self):
         self.peer.serve()
 
     def answer(self, asked):
-        return getattr(self, "do_" + asked["do"])(asked)
+        own = os.getpid()
+        said = getattr(self, "do_" + asked["do"])(asked)
+        if os.getpid() != own:  # the code forked, and this is the copy
+            os._exit(0)
+        return said
 
     def do_run(self, asked):
         """Run a cell and say what it raised."""
@@ -187,20 +183,41 @@ def refuse(*arguments, **options):
 
 
 def refuse(place):
-    """Empty a function of the library, or a class, so that no reference to it is of use."""
+    """Empty a function of the library, or a class, so that no reference to it is of use.
+
+    With it goes what does its work in the same module and is not offered to users: by that,
+    another function of the library would have the answer as well.
+    """
     module, _, name = place.partition(":")
     target = sys.modules[module]
     for part in name.split("."):
         target = getattr(target, part)
+    workers = workers_of(target)
     said = f"the library's {name} would do your work here; do without it."
     made = {}
     exec(REFUSAL.format(said=said), made)
     if isinstance(target, type):
-        for method in ("__init__", "__new__", "__post_init__"):
-            if isinstance(vars(target).get(method), types.FunctionType):
-                empty(vars(target)[method], made["refuse"])
-    else:
-        empty(target, made["refuse"])
+        methods = (vars(target).get(name) for name in ("__init__", "__new__", "__post_init__"))
+        workers += [method for method in methods if isinstance(method, types.FunctionType)]
+    for function in workers:
+        empty(function, made["refuse"])
+
+
+def workers_of(target):
+    """Return a function and those of its module that it calls and that have no public name."""
+    import amrmetrics
+
+    if not isinstance(target, types.FunctionType):
+        return [] if isinstance(target, type) else [target]
+    space = target.__globals__
+    called = {name: space.get(name) for name in target.__code__.co_names}
+    return [target] + [
+        function
+        for name, function in called.items()
+        if isinstance(function, types.FunctionType)
+        and function.__module__ == target.__module__
+        and getattr(amrmetrics, name, None) is not function
+    ]
 
 
 def empty(function, refusal):

@@ -8,9 +8,11 @@ other side gets one that calls it from afar. Anything else arrives as an `Opaque
 import base64
 import contextlib
 import dataclasses
+import decimal
+import fractions
+import functools
 import json
 import pathlib
-import socket
 import struct
 import sys
 import time
@@ -89,6 +91,10 @@ class Writer:
             return ["bytes", base64.b64encode(x).decode()]
         if kind is range or kind is slice:
             return [kind.__name__, self(x.start, depth), self(x.stop, depth), self(x.step, depth)]
+        if kind in (fractions.Fraction, decimal.Decimal):
+            return [kind.__name__.lower(), str(x)]
+        if kind.__module__.startswith("pandas.") and hasattr(x, "to_numpy"):
+            return self.array(np.asarray(x.to_numpy()), depth)
         if isinstance(x, pathlib.PurePath):
             return ["path", str(x)]
         if kind is np.random.Generator:
@@ -241,6 +247,12 @@ class Reader:
     def of_slice(self, *ends):
         return slice(*self.many(ends))
 
+    def of_fraction(self, text):
+        return fractions.Fraction(short(text))
+
+    def of_decimal(self, text):
+        return decimal.Decimal(short(text))
+
     def of_path(self, text):
         return pathlib.Path(text)
 
@@ -273,11 +285,31 @@ class Reader:
         return Opaque(str(kind), str(text))
 
 
+def short(text):
+    if len(text) > DIGITS:
+        raise ValueError("too many digits")
+    return text
+
+
 def plain_dtype(text):
     dtype = np.dtype(str(text))
     if dtype.kind not in PLAIN:
         raise ValueError(text)
     return dtype
+
+
+@functools.cache
+def sympy_classes():
+    """Return SymPy's own classes of expressions, by name."""
+    import sympy as sp
+
+    found, todo = {}, [sp.Basic]
+    while todo:
+        class_ = todo.pop()
+        todo += class_.__subclasses__()
+        if str(class_.__module__).startswith("sympy."):
+            found.setdefault(class_.__name__, class_)
+    return found
 
 
 def grown(branches):
@@ -298,10 +330,8 @@ def grown(branches):
     arguments = [grown(b) for b in rest[0]]
     if kind == "undefined":
         return sp.Function(str(name))(*arguments)
-    class_ = getattr(sp, name, None) or getattr(sp.core.numbers, name, None)
-    class_ = class_ or getattr(sp.logic.boolalg, name, None)
-    class_ = class_ or getattr(sp.matrices.expressions, name, None)
-    if not (isinstance(class_, type) and issubclass(class_, sp.Basic)):
+    class_ = sympy_classes().get(name)
+    if class_ is None:
         raise ValueError(name)
     if class_ in (sp.Add, sp.Mul):
         return class_._from_args(arguments)
