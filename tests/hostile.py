@@ -281,7 +281,9 @@ for place in ("../..", "/tmp", "/work", "/home", "/root"):
 """
 TRANSFORM = """
 ip = get_ipython()
-ip.input_transformers_cleanup.append(lambda lines: ["pass"] if "check." in "".join(lines) else lines)
+def transform(lines):
+    return ["pass"] if "check." in "".join(lines) else lines
+ip.input_transformers_cleanup.append(transform)
 """
 RUN_CELL = """
 ip = get_ipython()
@@ -392,12 +394,12 @@ for top in ("/work", "/root", "/srv", "/mnt", "/var", "/etc/passwd", "/run", "/s
         hidden = [p for p in sys.path + [sys.prefix] if p.startswith(top)]
         if not hidden:
             found.append(top)
-found += [f for f in os.listdir("/tmp")]
+found += [f for f in os.listdir("/tmp") if not sys.prefix.startswith(f"/tmp/{f}/")]
 if os.path.isdir("/proc/self"):
     found += [p for p in os.listdir("/proc") if p.isdigit() and int(p) > 1]
 found += [n for n in os.environ if n not in "HOME PATH LANG MPLBACKEND TMPDIR MPLCONFIGDIR "
           "OPENBLAS_NUM_THREADS COLUMNS LINES TERM MPLBACKEND".split()]
-for place in (sys.prefix + "/x", "/usr/x", "/x", "/bin/x"):
+for place in (sys.prefix + "/x", "/usr/x", "/bin/x"):
     try:
         open(place, "w")
         found.append(place)

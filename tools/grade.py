@@ -107,6 +107,11 @@ class Worker:
         self.tell(task)
         return self.hear(TASK_SECONDS)
 
+    def kill(self):
+        process = self.process
+        if process is not None and process.poll() is None:
+            process.kill()
+
     def end(self):
         if self.process is None:
             return
@@ -134,6 +139,7 @@ class Grading:
         self.level = None
         self.stop = threading.Event()
         self.problem = None
+        self.workers = []
 
     def go(self):
         names = {f.set for f in self.found if f.set}
@@ -152,6 +158,8 @@ class Grading:
                 time.sleep(0.2)
         except KeyboardInterrupt:
             self.stop.set()
+            for worker in self.workers:
+                worker.kill()
             for thread in threads:
                 thread.join()
             raise
@@ -163,14 +171,19 @@ class Grading:
 
     def work(self, todo, slot):
         worker = Worker(self.run, slot, self.cell_seconds)
+        self.workers.append(worker)
         try:
             while not self.stop.is_set():
                 try:
                     k, entry = todo.get_nowait()
                 except queue.Empty:
                     return
-                self.records[k] = self.one(entry, worker)
+                record = self.one(entry, worker)
+                if not self.stop.is_set():
+                    self.records[k] = record
         except Stopped as stopped:
+            if self.stop.is_set():
+                return
             log = (self.run / f"worker-{slot}.log").read_text(errors="replace")[-1500:]
             self.problem = f"{log}\nA grading process could not be started: {stopped}."
             self.stop.set()
@@ -202,6 +215,8 @@ class Grading:
             if old["digest"] == record["digest"] and not old.get("failed"):
                 return old | {"notes": record["notes"] + old["found_inside"], "place": entry.place}
         record |= self.by_worker(data, entry.set, worker)
+        if self.stop.is_set():
+            return record
         record["found_inside"] = record["notes"]
         record["notes"] = entry.notes + record["notes"]
         record["isolation"] = self.level
@@ -218,7 +233,7 @@ class Grading:
                 return worker.ask({"task": attempt, "set": name, "file": str(file)})
             except Stopped as stopped:
                 worker.end()
-                if self.level is None:
+                if self.level is None or self.stop.is_set():
                     raise
                 said = f"the grader's process: {stopped}"
         return {"parts": {}, "answers": {}, "notes": [], "failed": said}

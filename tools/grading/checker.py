@@ -17,6 +17,7 @@ CELL_SECONDS = 30  # of one cell, or one call of a student's function
 CHECK_SECONDS = 150  # of one check, with all calls of the student's functions
 TOTAL_SECONDS = 400  # of a submission
 MOST_STARTS = 12  # of students' processes
+VERBS = ("sends", "hands", "asks", "has", "does")  # with which a `Gone` tells of the process
 KEPT = 1500  # characters of a message
 
 
@@ -120,11 +121,11 @@ class Checker:
     def how(gone, code, seconds):
         said = str(gone)
         if said == "slow":
-            return f"it was still running after {seconds} s"
+            return f"it was still running after {seconds:g} s"
         if said == "ended":
             how = {None: "", -9: " (killed: SIGKILL, or out of memory)"}
             return f"it ended its process{how.get(code, f' (exit code {code})')}"
-        return f"it {said}"
+        return f"it {said}" if said.split(" ")[0] in VERBS else said
 
     # --- a part ---
 
@@ -240,7 +241,13 @@ class Checker:
                 process.ask({"do": "files", "files": files}, self.cell_seconds)
             now = time.monotonic()
             process.peer.deadline = min(now + self.cell_seconds, self.part_end, self.end_by)
-            return process.peer.call(number, arguments, options)
+            try:
+                return process.peer.call(number, arguments, options)
+            except wire.Gone as gone:
+                if str(gone) != "slow" or process.peer.deadline < now + self.cell_seconds:
+                    raise
+                said = f"a call of {name} was still running after {self.cell_seconds:g} s"
+                raise wire.Gone(said) from None
 
         function.__name__ = function.__qualname__ = str(data[2]) or name
         return function

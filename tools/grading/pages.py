@@ -111,7 +111,7 @@ def verdict(points, said, shown, part):
     if points is None:
         return f'<p class="open">Not graded ({most} points): {html.escape(said or "?")}</p>'
     kind = "holds" if points == part.points else "fails"
-    text = html.escape(shown or said)
+    text = html.escape(shown or said or ("" if part.by_hand else "It holds."))
     return f'<p><span class="points {kind}">{number(points)} of {most} points.</span> {text}</p>'
 
 
