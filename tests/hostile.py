@@ -214,9 +214,7 @@ def processes():
     a_open = FULL - 2, ("part-a",)
     yield kind("os._exit", in_front("part-a", "import os\nos._exit(3)"), *a_open, "exit code 3",
                quick=True)  # fmt: skip
-    yield kind(
-        "sys.exit", in_front("part-a", "import sys\nsys.exit()"), FULL - 2, says="SystemExit"
-    )
+    yield kind("sys.exit", in_front("part-a", "import sys\nsys.exit()"), FULL - 2)
     yield kind("abort", in_front("part-a", "import os\nos.abort()"), *a_open, "ended its process")
     fault = "import ctypes\nctypes.string_at(0)"
     yield kind("memory fault", in_front("part-a", fault), *a_open, "ended its process")
@@ -239,6 +237,13 @@ def processes():
                "ended its process")  # fmt: skip
     slow = with_start("__import__('time').sleep(0.3)")
     yield kind("slow function", solved(answers={"part-d": slow}), FULL)
+    recursion = with_start("return align_2d(reference, estimate)")
+    yield kind("recursion", solved(answers={"part-d": recursion}), FULL - 4)
+    deep = (
+        "for _ in range(3):\n        align(*np.ones((2, 4, 2)))\n        catches_reflection(align)"
+    )
+    deep = SET.official["part-f"].replace("### BEGIN", deep + "\n    ### BEGIN")
+    yield kind("recursion that calls", solved(answers={"part-f": deep}), FULL - 3, quick=True)
     yield kind("grows", with_scratch(GROW), FULL, quick=True)
     yield kind("200 MB printed", with_scratch("print('x' * 200_000_000)"), FULL, quick=True)
     yield kind("fills the disk", with_scratch(FILL), FULL, quick=True)
@@ -387,7 +392,7 @@ if reached():
 
 
 AROUND = """
-import ctypes, os, sys
+import ctypes, gc, os, sys
 found = []
 for top in ("/work", "/root", "/srv", "/mnt", "/var", "/etc/passwd", "/run", "/sys"):
     if os.path.exists(top) and (not os.path.isdir(top) or os.listdir(top)):
@@ -410,8 +415,7 @@ if os.getuid() == 0:
 for call in (lambda c: c.unshare(0x10000000), lambda c: c.mount(b"none", b"/tmp", b"tmpfs", 0, 0)):
     if call(ctypes.CDLL(None)) == 0:
         found.append("rights")
-if [k for m in list(sys.modules.values()) for k in getattr(m, "__dict__", ()) if k == "Material"]:
-    found.append("the grader's memory")
+found += [x for x in gc.get_objects() if type(x).__name__ in ("Material", "Part", "Submission")]
 if found:
     theta_deg, t_star, J_min = 126.87, (0, -5), 2
     lines_t = str(found)

@@ -26,7 +26,7 @@ def graded(folder, kinds, jobs=2):
         file.parent.mkdir(parents=True)
         file.write_bytes(kind.data)
     command = [sys.executable, ROOT / "tools" / "grade.py", folder / "in"]
-    options = ["--out", folder / "out", "--jobs", str(jobs), "--cell-seconds", "8"]
+    options = ["--out", folder / "out", "--jobs", str(jobs), "--cell-seconds", "6"]
     done = subprocess.Popen(
         [*command, *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
