@@ -44,6 +44,7 @@ def text_of(made):
 
 def solved(change=None, answers=None):
     made = as_dict(notebook(SET.official | (answers or {})))
+    made["cells"][-1]["source"] += "\n\nRigid: wheels measure meters, $s=1$."
     if change:
         change(made["cells"])
     return made
@@ -244,7 +245,7 @@ def processes():
     )
     deep = SET.official["part-f"].replace("### BEGIN", deep + "\n    ### BEGIN")
     yield kind("recursion that calls", solved(answers={"part-f": deep}), FULL - 3, quick=True)
-    yield kind("grows", with_scratch(GROW), FULL, quick=True)
+    yield kind("grows", with_scratch(GROW), FULL, says="memory", quick=True)
     yield kind("200 MB printed", with_scratch("print('x' * 200_000_000)"), FULL, quick=True)
     yield kind("fills the disk", with_scratch(FILL), FULL, quick=True)
     yield kind("forks", with_scratch(FORKS), FULL)

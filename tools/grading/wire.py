@@ -93,7 +93,7 @@ class Writer:
             return [kind.__name__, self(x.start, depth), self(x.stop, depth), self(x.step, depth)]
         if kind in (fractions.Fraction, decimal.Decimal):
             return [kind.__name__.lower(), str(x)]
-        if kind.__module__.startswith("pandas.") and hasattr(x, "to_numpy"):
+        if str(kind.__module__).startswith("pandas.") and hasattr(x, "to_numpy"):
             return self.array(np.asarray(x.to_numpy()), depth)
         if isinstance(x, pathlib.PurePath):
             return ["path", str(x)]
@@ -147,7 +147,7 @@ def is_ours(kind):
     """Whether this is a dataclass of the library, and not one of the same name."""
     module = sys.modules.get(kind.__module__)
     return (
-        kind.__module__.split(".")[0] == "amrmetrics"
+        str(kind.__module__).split(".")[0] == "amrmetrics"
         and getattr(module, kind.__qualname__, None) is kind
         and dataclasses.is_dataclass(kind)
     )
