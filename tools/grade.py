@@ -16,6 +16,7 @@ import queue
 import re
 import select
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -30,7 +31,6 @@ ROOT = Path(__file__).resolve().parents[1]
 START_SECONDS = 300
 TASK_SECONDS = 900
 LIMITS = {"memory": 2 << 30, "processes": 64, "seconds": 400}
-STUDENTS_WORDS = 30  # a name longer than this many bytes times four is cut for the file system
 
 
 class Stopped(Exception):
@@ -487,6 +487,7 @@ def main(arguments=None):
     asked.out.chmod(0o700)
     jobs = max(1, min(asked.jobs, len(found)))
     start = time.monotonic()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         with tempfile.TemporaryDirectory(prefix="grading-", ignore_cleanup_errors=True) as folder:
             run = Path(folder)
