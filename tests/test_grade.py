@@ -162,6 +162,11 @@ def test_follows_no_link_and_leaves_no_folder(tmp_path):
 def test_spreadsheets_and_pages_take_names_for_names(tmp_path):
     assert grade.safe("=cmd()").startswith("'")
     assert "<script>" not in pages.prose("<script>alert(1)</script> **a** $x^2$")
+    shown = pages.prose("It is $s=A/Q$, *always*.\n\nSo $J<0$.")
+    assert shown.count("</svg>") == 2
+    assert shown.endswith(".</p>")
+    assert "<em>always</em>" in shown
+    assert "<br>" not in shown
     assert grade.file_name("../../etc") != grade.file_name("../..//etc")
     assert "/" not in grade.file_name("../../etc")
 

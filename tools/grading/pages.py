@@ -12,7 +12,8 @@ pre { background: #f4f4f4; padding: .7rem; overflow-x: auto; font-size: .85rem; 
 table { border-collapse: collapse } td, th { border: 1px solid #bbb; padding: .25rem .6rem;
   text-align: left; vertical-align: top } td.n { text-align: right }
 .points { font-weight: 600 } .holds { color: #1b6e3c } .fails { color: #a02020 }
-.open { color: #8a5a00 } .two { display: grid; grid-template-columns: 1fr 1fr; gap: 1.5rem }
+.open { color: #8a5a00 } .two { display: grid; grid-template-columns: 1fr 1fr; gap: 1.5rem;
+  align-items: start }
 .question { background: #f7f7fb; padding: .5rem 1rem } svg { vertical-align: middle }
 input { font: inherit } textarea { width: 100%; font: inherit }
 @media print { pre { max-height: none } }
@@ -52,25 +53,27 @@ def formula(tex):
 
 def prose(text):
     """Return Markdown as far as it is used in answers: paragraphs, lists, emphasis, formulas."""
+    text = text.replace("\x00", "")
     text = re.sub(r"</?(details|summary)>|<!--.*?-->", "", text, flags=re.DOTALL)
     parts = re.split(r"\$\$(.+?)\$\$|\$([^$\n]+?)\$", text, flags=re.DOTALL)
-    pieces, count = [], 0
+    pieces, formulas = [], []
     for k, part in enumerate(parts):
         if part is None:
             continue
         if k % 3 == 0:
             pieces.append(html.escape(part))
         else:
-            count += 1
-            known = count <= MOST_FORMULAS
-            pieces.append(formula(part) if known else f"<code>{html.escape(part)}</code>")
+            known = len(formulas) < MOST_FORMULAS
+            formulas.append(formula(part) if known else f"<code>{html.escape(part)}</code>")
+            pieces.append(f"\x00{len(formulas) - 1}\x00")  # put in when the text is done
     body = "".join(pieces)
     body = re.sub(r"^#+ (.+)$", r"<strong>\1</strong>", body, flags=re.MULTILINE)
     body = re.sub(r"\*\*(.+?)\*\*", r"<strong>\1</strong>", body)
     body = re.sub(r"(?<!\*)\*([^*\n]+)\*(?!\*)", r"<em>\1</em>", body)
     body = re.sub(r"`([^`\n]+)`", r"<code>\1</code>", body)
     blocks = [block.strip() for block in re.split(r"\n\s*\n", body)]
-    return "\n".join(f"<p>{block.replace(chr(10), '<br>')}</p>" for block in blocks if block)
+    body = "\n".join(f"<p>{block.replace(chr(10), '<br>')}</p>" for block in blocks if block)
+    return re.sub("\x00(\\d+)\x00", lambda found: formulas[int(found[1])], body)
 
 
 def inline(text):
