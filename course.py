@@ -4,6 +4,7 @@
     python3 course.py test [...]        run every test; pytest gets the other arguments
     python3 course.py release [FOLDER]  write exercises/ (or a new FOLDER) from solutions/
     python3 course.py refresh [...]     run lectures and solutions again and store what they show
+    python3 course.py grade SUBMITTED   grade a class: a folder of notebooks, or a platform's zip
     python3 course.py bench [N ...]     time the library beside others (minutes; 1000 10000: short)
     python3 course.py doctor            say what works on this machine, for whoever helps you
 
@@ -278,6 +279,11 @@ def refresh(extra):
     return in_front(ROOT / "tools" / "refresh.py", *extra, folder=None)
 
 
+def grade(extra):
+    set_up()
+    return in_front(ROOT / "tools" / "grade.py", *extra, folder=None)
+
+
 def bench(extra):
     set_up(test=True)
     return in_front(ROOT / "tools" / "bench.py", *extra)
@@ -298,6 +304,7 @@ COMMANDS = {
     "test": test,
     "release": release,
     "refresh": refresh,
+    "grade": grade,
     "bench": bench,
     "doctor": doctor,
 }
