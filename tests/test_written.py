@@ -100,6 +100,19 @@ def test_a_word_that_is_no_kind_gets_examples(words, hint):
 # --- declaring ------------------------------------------------------------------------------------
 
 
+def test_a_declaration_goes_on_while_a_bracket_is_open():
+    derive = declare("""
+        a      angle
+        R      := Matrix([[cos(a), -sin(a)],   # a rotation
+                          [sin(a), cos(a)]])
+        x      in [0, 1)
+    """)
+    assert derive("det(R)\n = 1   # cos² + sin² = 1").complete
+    assert "x" in derive.domains
+    with pytest.raises(WrongDeclaration, match="M"):
+        declare("M := Matrix([[1, 2]\n\nx > 0")
+
+
 def test_a_declaration_shows_itself():
     derive = declare(
         "xhat_0, t  real   # with a comment\n\n d sequence k = 1..3\n g := x**2\n".replace(

@@ -83,6 +83,17 @@ class Table(list):
         return f"<table>{rows}</table>"
 
 
+def _declared_lines(text):
+    """Yield the lines of a declaration; one that leaves a bracket open goes on in the next."""
+    line = ""
+    for part in [*text.splitlines(), ""]:
+        line = f"{line} {part.split('#')[0].strip()}".strip()
+        opened = sum(line.count(x) for x in "([") - sum(line.count(x) for x in ")]")
+        if opened <= 0 or not part:
+            yield line
+            line = ""
+
+
 class Declaration:
     """What the letters of a derivation stand for; to call it is to check a chain of lines."""
 
@@ -105,8 +116,7 @@ class Declaration:
         """
         more = copy.copy(self)  # the dictionaries are shared, the table is its own
         more.table = Table()
-        for line in text.splitlines():
-            line = line.split("#")[0].strip()
+        for line in _declared_lines(text):
             try:
                 if ":=" in line:
                     more._abbreviate(line)
