@@ -22,7 +22,6 @@ SOLUTIONS = sorted((ROOT / "solutions").glob("*/*.ipynb"))
 
 # Lectures that are still to be rewritten, and the rules that they may break until then.
 OLD_FORM = {
-    "01_poses",
     "03_trajectory",
     "05_scoring",
     "06_maps",
