@@ -24,7 +24,6 @@ SOLUTIONS = sorted((ROOT / "solutions").glob("*/*.ipynb"))
 OLD_FORM = {
     "03_trajectory",
     "05_scoring",
-    "06_maps",
 }
 FORGIVEN = {
     "code fits the column",
