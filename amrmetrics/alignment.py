@@ -161,7 +161,7 @@ def align(
 
     References
     ----------
-    Lecture 02, Parts 1 to 4, Going deeper B and C. Umeyama, Least-squares estimation of transformation parameters
+    Lecture 02, D1-D13 and D22-D28. Umeyama, Least-squares estimation of transformation parameters
     between two point patterns, IEEE TPAMI 13 (1991), eqs. (39)-(43), with his c, R, t
     from estimate to reference. Yaw: Zhang and Scaramuzza, IROS 2018, section IV.
 

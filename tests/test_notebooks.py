@@ -8,7 +8,6 @@ of style; that is what these tests are for.
 import base64
 import csv
 import functools
-import tomllib
 from pathlib import Path
 
 import pytest
@@ -20,31 +19,11 @@ ROOT = Path(__file__).parents[1]
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 SOLUTIONS = sorted((ROOT / "solutions").glob("*/*.ipynb"))
 
-# Lectures that are still to be rewritten, and the rules that they may break until then.
-OLD_FORM = {
-    "03_trajectory",
-}
-FORGIVEN = {
-    "code fits the column",
-    "one statement a line",
-    "no parser and no helper for derivations",
-    "leads to its neighbors",
-    "minutes add up",
-    "letters are explained",
-    "each cell that draws has its own seed",
-    "cells can be run again",
-    "names keep their kind",
-}
-
 read = functools.cache(rules.Notebook.read)
 
 
 def label(value):
     return value.stem if isinstance(value, Path) else value
-
-
-def old(path):
-    return path.stem in OLD_FORM
 
 
 def test_there_are_notebooks():
@@ -69,29 +48,11 @@ def test_every_notebook(path, rule):
 
 @pytest.mark.parametrize(
     ("path", "rule"),
-    [
-        (path, rule)
-        for path in LECTURES
-        for rule in rules.LECTURE | rules.AGAIN
-        if not (old(path) and rule in FORGIVEN)
-    ],
+    [(path, rule) for path in LECTURES for rule in rules.LECTURE | rules.AGAIN],
     ids=label,
 )
 def test_lecture(path, rule):
     assert not list((rules.LECTURE | rules.AGAIN)[rule](read(path)))
-
-
-@pytest.mark.parametrize("name", sorted(OLD_FORM))
-def test_what_is_listed_as_old_is_old(name):
-    """A lecture that keeps the rules leaves the list, and is held to them from then on."""
-    notebook = read(ROOT / "notebooks" / f"{name}.ipynb")
-    kept = [rule for rule in FORGIVEN - set(rules.AGAIN) if not list(rules.LECTURE[rule](notebook))]
-    assert len(kept) < len(FORGIVEN - set(rules.AGAIN)), f"take {name} off the list OLD_FORM"
-
-
-def test_the_formatter_knows_the_same_old_lectures():
-    settings = tomllib.loads((ROOT / "notebooks" / "ruff.toml").read_text(encoding="utf-8"))
-    assert {Path(name).stem for name in settings["format"]["exclude"]} == OLD_FORM
 
 
 @pytest.mark.parametrize("path", LECTURES, ids=label)
