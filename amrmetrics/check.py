@@ -3,16 +3,31 @@
 Each check returns nothing when the answer is right and raises :class:`NotYet` when it
 is not. A check tries the answer on many cases, says on which one it fails, and, when
 the result is one that a known mistake produces, names the mistake.
+
+:func:`part` runs the checks of a part where no name of the student's reaches them, on what
+:func:`keep` has kept.
 """
 
+import builtins
 import contextlib
 import copy
+import functools
+import hashlib
+import inspect
 import itertools
 import re
 import sys
+import types
+import warnings
 from collections import Counter
+from numbers import Number
 
 import numpy as np
+
+from amrmetrics import _progress
+from amrmetrics._progress import model_answer as model_answer
+
+GIVEN = "__given__"
 
 
 class NotYet(AssertionError):
@@ -24,8 +39,215 @@ class NotYet(AssertionError):
         return [f"Not yet: {self}"]
 
 
+def keep(namespace, names):
+    """Remember what a problem set gives, at the end of the cell that gives it.
+
+    Parameters
+    ----------
+    namespace : dict
+        The notebook's ``globals()``.
+    names : str
+        The names that the cell has made, imported ones included, with spaces between them.
+
+    Examples
+    --------
+    >>> from amrmetrics import check
+    >>> notebook = {"times": [3, 1, 2]}
+    >>> check.keep(notebook, "times")
+    >>> notebook["times"].sort()
+    >>> check.restore(notebook)
+    ['times']
+    >>> notebook["times"]
+    [3, 1, 2]
+    """
+    new = {name: namespace[name] for name in names.split()}
+    made, kept = namespace.get(GIVEN, ({}, {}))
+    namespace[GIVEN] = made | new, kept | _renewed(new, namespace, namespace)
+
+
+def restore(namespace):
+    """Give the names that a problem set gives the values that they had.
+
+    Parameters
+    ----------
+    namespace : dict
+        The notebook's ``globals()``.
+
+    Returns
+    -------
+    list of str
+        The names that had another value.
+    """
+    if GIVEN not in namespace:
+        return []
+    made, kept = namespace[GIVEN]
+    changed = [
+        name
+        for name in made
+        if namespace.get(name) is not made[name] or not _unchanged(made[name], kept[name])
+    ]
+    again = _renewed({name: kept[name] for name in changed}, namespace, namespace)
+    namespace.update(again)
+    made.update(again)
+    return changed
+
+
+def _renewed(x, old, new):
+    """Return a copy in which no array and no container is shared.
+
+    Functions that look up names in `old` look them up in `new`.
+    """
+    kind = type(x)
+    if kind is dict:
+        return {key: _renewed(value, old, new) for key, value in x.items()}
+    if kind in (list, tuple):
+        return kind(_renewed(value, old, new) for value in x)
+    if kind is types.FunctionType and x.__globals__ is old:
+        again = types.FunctionType(x.__code__, new, x.__name__, x.__defaults__, x.__closure__)
+        again.__kwdefaults__ = x.__kwdefaults__
+        return functools.update_wrapper(again, x)
+    if kind in (types.ModuleType, type):
+        return x
+    try:
+        return copy.deepcopy(x)
+    except Exception:  # an open file, say: nothing that could be given twice
+        return x
+
+
+def _unchanged(x, kept):
+    if isinstance(x, dict) and isinstance(kept, dict):
+        return list(x) == list(kept) and all(_unchanged(x[key], kept[key]) for key in kept)
+    if isinstance(x, list | tuple) and isinstance(kept, list | tuple):
+        return len(x) == len(kept) and all(map(_unchanged, x, kept))
+    if isinstance(x, np.ndarray) and isinstance(kept, np.ndarray):
+        return x.dtype == kept.dtype and x.shape == kept.shape and x.tobytes() == kept.tobytes()
+    return type(x) is type(kept) and (not isinstance(x, str | Number) or x == kept)
+
+
+def part(namespace):
+    """Run the checks of a part on the student's answers; a decorator that calls at once.
+
+    The function's parameters are the names that are asked, its body is the check. In the body
+    stand, besides them, only the names that :func:`keep` has kept, as they were, whatever the
+    student has done to them. Warnings cost nothing, and the names given are restored.
+
+    Parameters
+    ----------
+    namespace : dict
+        The notebook's ``globals()``.
+
+    Returns
+    -------
+    callable
+        The decorator, which leaves None in the function's place.
+
+    Raises
+    ------
+    NotYet
+        What the check says.
+
+    Examples
+    --------
+    >>> from amrmetrics import check
+    >>> notebook = {"side": 3, "len": "a student may take any name"}
+    >>> check.keep(notebook, "side")
+    >>> notebook["area"] = 9
+    >>> @check.part(notebook)
+    ... def check_a(area):
+    ...     check.value("area", area, side**2)
+    """
+
+    def run(body):
+        names = list(inspect.signature(body).parameters)
+        answers = [namespace.get(name, ...) for name in names]
+        _, kept = namespace.get(GIVEN, ({}, {}))
+        space = {"__name__": "__main__", "__builtins__": builtins, "check": sys.modules[__name__]}
+        space |= _renewed(kept, namespace, space)
+        check = types.FunctionType(body.__code__, space, body.__name__)
+        try:
+            with _harmless():
+                if all(answer is ... for answer in answers):
+                    raise NotYet("there is no answer yet. Replace the dots.")
+                check(*answers)
+        except NotYet as error:
+            changed = restore(namespace)
+            _record(body.__name__, answers, held=False)
+            raise NotYet(f"{error}{_if_changed(changed)}") from None
+        finally:
+            restore(namespace)
+        _record(body.__name__, answers, held=True)
+
+    return run
+
+
+def _record(name, answers, held):
+    text = "\n".join(map(_text_of, answers))
+    said = _progress.record(name.removeprefix("check_"), text, held)
+    if said:
+        print(said)
+
+
+def _if_changed(changed):
+    if not changed:
+        return ""
+    return (
+        f" (You had given {', '.join(changed)} another value. They are as given again: if this "
+        "part needs them, run its cell once more.)"
+    )
+
+
+@contextlib.contextmanager
+def _harmless():
+    """Let warnings pass unseen: what a check writes to stderr costs its marks with nbgrader."""
+    with (
+        warnings.catch_warnings(action="ignore"),
+        np.errstate(all="ignore"),
+        contextlib.redirect_stderr(sys.stdout),
+    ):
+        yield
+
+
+def draws(*answers):
+    """Return a generator of random numbers whose seed is what the answers say.
+
+    The same answer meets the same cases whenever it is checked, and another answer meets others:
+    results that were typed in for the cases of one do not fit those of the next.
+
+    Parameters
+    ----------
+    *answers : object
+        Functions of the student's, or values.
+
+    Returns
+    -------
+    numpy.random.Generator
+
+    Examples
+    --------
+    >>> from amrmetrics import check
+    >>> first, second = (check.draws(lambda x: x + 1).random() for _ in range(2))
+    >>> first == second, first == check.draws(lambda x: x + 2).random()
+    (True, False)
+    """
+    text = "\n".join(map(_text_of, answers))
+    return np.random.default_rng(list(hashlib.sha256(text.encode()).digest()))
+
+
+def _text_of(answer):
+    """Return what an answer says: its code, without names of files and places in memory."""
+    if hasattr(answer, "__answer__"):  # a function of another process, which has its cell's text
+        return str(answer.__answer__)
+    code = answer if isinstance(answer, types.CodeType) else getattr(answer, "__code__", None)
+    if not isinstance(code, types.CodeType):
+        return repr(answer)
+    return repr((code.co_code, code.co_names, [*map(_text_of, code.co_consts)]))
+
+
 def value(name, yours, expected, mistakes=None, rtol=1e-6):
-    """Check a number, an array, a string or a truth value.
+    """Check a number, an array, a word, a truth value or several of them.
+
+    Lists, tuples and arrays are the same, and so are numbers of Python, NumPy and SymPy, 1 and
+    True, words in capitals and in small letters.
 
     Parameters
     ----------
@@ -34,7 +256,7 @@ def value(name, yours, expected, mistakes=None, rtol=1e-6):
     yours : object
         The student's answer; ``...`` stands for none.
     expected : object
-        The right answer; it is never shown.
+        The right answer; it is never shown. A tuple stands for results of several kinds.
     mistakes : dict of str to object, optional
         Wrong answers by the misconception that leads to them.
     rtol : float
@@ -54,6 +276,9 @@ def value(name, yours, expected, mistakes=None, rtol=1e-6):
     amrmetrics.check.NotYet: theta: -0.5 is not right. It looks as if this is the inverse.
     """
     _require_answer(name, yours)
+    yours = _alike(yours, expected)
+    if isinstance(yours, np.ndarray) and yours.squeeze().shape == np.shape(expected):
+        yours = yours.squeeze()  # a column for a row, one number in brackets
     _require_kind(name, yours, expected)
     if _same(yours, expected, rtol):
         return
@@ -115,20 +340,50 @@ def function(yours, cases, expected, mistakes=None, rtol=1e-9, without=()):
             raise NotYet(f"{name} stops for {case} with {_describe(error)}.")
         if result is None or result is ...:
             raise NotYet(f"{name}: there is no answer yet. It returns nothing for {case}.")
+        result = _alike(result, right)
         _require_kind(f"{name}, {case}", result, right)
         if not _same(result, right, rtol):
-            outcomes = {
-                why: outcome
-                for why, wrong in (mistakes or {}).items()
-                for outcome, failed in [_call(wrong, arguments)]
-                if failed is None and not _same(right, outcome, rtol)
-            }
-            raise NotYet(
-                f"{name} is wrong for {case}: it returns {_show(result)}."
-                f"{_diagnosis(result, outcomes, rtol)}"
-            )
+            why = _misconception(yours, cases, expected, case, mistakes or {}, rtol, without)
+            raise NotYet(f"{name} is wrong for {case}: it returns {_show(result)}.{why}")
         if not _same(given, arguments, 1e-15):
             raise NotYet(f"{name} changes its input for {case}. Work on a copy.")
+
+
+def _misconception(yours, cases, expected, failing, mistakes, rtol, without):
+    """Name the mistake that gives the student's result in the failing case, and in most others.
+
+    One case alone may give two different mistakes the same result.
+    """
+
+    right = {case: _call(expected, copy.deepcopy(given)) for case, given in cases.items()}
+    answered = [case for case, (_, refused) in right.items() if refused is None]
+
+    def results(function):
+        found = {}
+        for case in answered:
+            outcome, error = _call(function, copy.deepcopy(cases[case]))
+            found[case] = None if error else _alike(outcome, right[case][0])
+        return found
+
+    with _unavailable(without, yours):
+        mine = results(yours)
+    for why, wrong in mistakes.items():
+        outcomes = results(wrong)
+        votes = [
+            _agrees(mine[case], outcome, rtol)
+            for case, outcome in outcomes.items()
+            if outcome is not None and not _agrees(right[case][0], outcome, rtol)
+        ]
+        if _agrees(mine[failing], outcomes[failing], rtol) and sum(votes) > len(votes) / 2:
+            return f" It looks as if {why}."
+    return ""
+
+
+def _agrees(yours, outcome, rtol):
+    try:
+        return yours is not None and _same(yours, outcome, rtol)
+    except (TypeError, ValueError):
+        return False
 
 
 def test_function(yours, right, wrong, without=()):
@@ -158,7 +413,12 @@ def test_function(yours, right, wrong, without=()):
     """
     if not callable(yours):
         raise NotYet(f"a function is asked, you have {_show(yours)}.")
-    _require_acceptance(yours, right, without)
+    try:
+        _require_acceptance(yours, right, without)
+    except NotYet as error:
+        taken = [what for what, f in wrong.items() if not _judgment(yours, f, without)[1]]
+        instead = f" It accepts one that {taken[0]}." if len(taken) == 1 else ""
+        raise NotYet(f"{error}{instead}") from None
     for what, implementation in wrong.items():
         result, error, _ = _judgment(yours, implementation, without)
         if error is None:
@@ -587,27 +847,44 @@ def wrong_line(number, corrected, lines, domains):
 
     _require_answer("the number of the line", number)
     _require_answer("the corrected line", corrected)
-    if isinstance(number, bool) or np.ndim(number) or number not in range(2, len(lines) + 1):
-        raise NotYet(
-            f"the number of the line: a whole number from 2 to {len(lines)} is asked, you have "
-            f"{_show(number)}. The first line is given."
-        )
-    corrected = _as_text("the corrected line", corrected)
-    number = int(number)
+    number = _as_line_number(number, len(lines))
+    spelled = isinstance(corrected, str)
+    corrected = _as_text("the corrected line", corrected).strip().removeprefix("=")
     above, given = lines[number - 2 : number]
     step = check_step(above, corrected, domains)
-    if step.status != "unreadable":
+    follows = step.status in ("proved", "sampled")
+    wrong_above = check_step(above, given, domains).status == "refuted"
+    if step.status != "unreadable" and spelled:  # SymPy may have brought an object to this form
         for k, line in enumerate(lines, 1):
             if Derivation(corrected, given=line, domains=domains).reached:
                 raise NotYet(f"the corrected line: this is line {k} as it stands.")
-    if step.status not in ("proved", "sampled"):
+    if not follows:
+        later = not wrong_above and step.status != "unreadable"
+        if later and check_step(lines[0], corrected, domains).status in ("proved", "sampled"):
+            raise NotYet(
+                f"the corrected line equals line 1, as it should. But line {number}, which you "
+                f"blame, does follow from line {number - 1}, and carries on what is wrong there."
+            )
         said = _with_names(step.message, domains)
         raise NotYet(f"the corrected line, compared with line {number - 1}: {said}")
-    if check_step(above, given, domains).status != "refuted":
+    if not wrong_above:
         raise NotYet(
             f"the corrected line follows from line {number - 1}, but that is not all: line "
             f"{number} was right as it stood."
         )
+
+
+def _as_line_number(number, last):
+    """Return the number of a line other than the first, also if it was entered as text."""
+    text = str(number).strip() if isinstance(number, str | Number | np.ndarray) else ""
+    if text.removesuffix(".0").isdigit() and not isinstance(number, bool):
+        found = int(text.removesuffix(".0"))
+        if 2 <= found <= last:
+            return found
+    raise NotYet(
+        f"the number of the line: a whole number from 2 to {last} is asked, you have "
+        f"{_show(number)}. The first line is given."
+    )
 
 
 def _names_of(declared):
@@ -633,34 +910,41 @@ def _call(function, arguments):
 
 @contextlib.contextmanager
 def _unavailable(forbidden, yours, running=()):
-    """Let `forbidden` functions refuse every call that `yours` makes, by whatever name.
+    """Let `forbidden` functions refuse every call that `yours` makes, by whatever reference.
 
     While `running` is not empty, code that is not the student's runs, and may call them.
     """
-    holders = [vars(m) for name, m in sys.modules.items() if name.split(".")[0] == "amrmetrics"]
-    holders.append(getattr(yours, "__globals__", {}))
-    places = [
-        (names, name, original)
-        for names in holders
-        for name, original in list(names.items())
-        if any(original is function for function in forbidden)
-    ]
+    codes = {function: function.__code__ for function in forbidden}
+    for function, code in codes.items():
+        original = types.FunctionType(code, function.__globals__, function.__name__)
+        original.__defaults__ = function.__defaults__
+        original.__kwdefaults__ = function.__kwdefaults__
+        _closed[id(function)] = original, running
+        made = {}
+        exec(_REFUSAL.format(id(function)), made)
+        function.__code__ = made["refuse"].__code__
     try:
-        for names, name, original in places:
-            names[name] = _refusing(original, running)
         yield
     finally:
-        for names, name, original in places:
-            names[name] = original
+        for function, code in codes.items():
+            function.__code__ = code
 
 
-def _refusing(original, running):
-    def refuse(*arguments, **options):
-        if running:
-            return original(*arguments, **options)
-        raise NotYet(f"the library's {original.__name__} would do your work here; do without it.")
+# A function's code is exchanged, and not the function: no default argument, closure or other name
+# that a student has kept leads around that.
+_REFUSAL = """
+def refuse(*arguments, **options):
+    from amrmetrics.check import _through
+    return _through({}, arguments, options)
+"""
+_closed = {}
 
-    return refuse
+
+def _through(key, arguments, options):
+    original, running = _closed[key]
+    if running:
+        return original(*arguments, **options)
+    raise NotYet(f"the library's {original.__name__} would do your work here; do without it.")
 
 
 def _describe(error):
@@ -683,12 +967,33 @@ def _as_text(name, yours):
     return yours
 
 
+def _alike(yours, expected):
+    """Return an answer in the kind that is expected, if it is of a kind that says the same."""
+    if isinstance(yours, np.ndarray) and yours.ndim == 0:
+        yours = yours.item()
+    if isinstance(expected, tuple):
+        several = isinstance(yours, list | tuple) or getattr(yours, "shape", ())
+        items = list(yours) if several else ()
+        if len(items) != len(expected):
+            return yours
+        return tuple(_alike(*pair) for pair in zip(items, expected, strict=True))
+    if isinstance(expected, bool):
+        if getattr(yours, "is_Boolean", False):  # SymPy's
+            return bool(yours)
+        return bool(yours) if isinstance(yours, Number | np.bool_) and yours in (0, 1) else yours
+    if isinstance(expected, str):
+        return yours.strip() if isinstance(yours, str) else yours
+    exact = hasattr(yours, "free_symbols") or isinstance(yours, list | tuple)
+    with contextlib.suppress(TypeError, ValueError):
+        if exact and np.asarray(yours).dtype == object:  # SymPy's numbers, or fractions
+            return np.asarray(yours).astype(float)
+    return yours
+
+
 def _require_kind(name, yours, expected):
     """Raise unless the answer has the type and shape that is asked."""
     if isinstance(expected, str | bool):
-        if not isinstance(yours, str | bool | np.bool_) or isinstance(yours, str) != isinstance(
-            expected, str
-        ):
+        if not isinstance(yours, str | bool) or isinstance(yours, str) != isinstance(expected, str):
             kind = "a string" if isinstance(expected, str) else "True or False"
             raise NotYet(f"{name}: {kind} is asked, you have {_show(yours)}.")
     elif isinstance(expected, tuple):
@@ -720,7 +1025,9 @@ def _same(a, b, rtol):
         return True
     if isinstance(b, tuple | list):
         return len(a) == len(b) and all(_same(x, y, rtol) for x, y in zip(a, b, strict=True))
-    if isinstance(b, str | bool):
+    if isinstance(b, str):
+        return isinstance(a, str) and a.casefold() == b.casefold()
+    if isinstance(b, bool):
         return a == b
     a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     scale = np.abs(b[np.isfinite(b)]).max(initial=0.0) or 1.0
@@ -728,13 +1035,8 @@ def _same(a, b, rtol):
 
 
 def _diagnosis(yours, mistakes, rtol):
-    for why, outcome in (mistakes or {}).items():
-        try:
-            if _same(yours, outcome, rtol):
-                return f" It looks as if {why}."
-        except (TypeError, ValueError):
-            continue
-    return ""
+    named = [why for why, wrong in (mistakes or {}).items() if _agrees(yours, wrong, rtol)]
+    return f" It looks as if {named[0]}." if named else ""
 
 
 def _show(answer):

@@ -1,7 +1,7 @@
 """Problem sets tell right answers from wrong ones, part by part, and keep the rules of the house.
 
-The answers stand in ``tests/answers``; `exercise` puts them in. Wrong ones meet the checks that a
-student sees, right ones also those that only the grader sees.
+The answers stand in ``tests/answers``; `exercise` puts them in. Each meets the check that a student
+sees and the one of the grader, with warnings on.
 """
 
 import ast
@@ -15,6 +15,7 @@ import pytest
 from exercise import (
     ROOT,
     ProblemSet,
+    bound,
     grade_id,
     is_check,
     is_part,
@@ -46,19 +47,21 @@ def remember():
 
 
 @each_answer("wrong")
-def test_wrong_answer_fails_in_its_own_part_and_is_told_why(name, answer):
+def test_wrong_answer_fails_and_is_told_why(name, answer):
     problem_set = SETS[name]
-    verdicts = problem_set.run({answer.part: answer.source})
-    assert [part for part, error in verdicts.items() if error] == [answer.part]
-    error = verdicts[answer.part]
+    error = problem_set.judge(answer.part, answer.source)
     assert isinstance(error, AssertionError), repr(error)
-    assert len(str(error)) > 20
+    assert len(answer.says) >= 12, "say which kind of message is expected"
+    assert answer.says in str(error)
     for secret in secrets(problem_set, answer.part):
         assert secret in answer.source or secret not in str(error)
+    graded = problem_set.judge(answer.part, answer.source, hidden=True)
+    assert isinstance(graded, AssertionError), repr(graded)
 
 
 @each_answer("right")
 def test_right_answer_passes(name, answer):
+    assert SETS[name].judge(answer.part, answer.source) is None
     verdicts = SETS[name].run({answer.part: answer.source}, hidden=True)
     assert [error for error in verdicts.values() if error] == []
 
@@ -86,8 +89,8 @@ def test_untouched_exercise_in_a_kernel(name):
 class TestPart:
     def test_is_told_from_wrong_answers(self, name, part):
         kinds = [a.kind for n, a in ANSWERS if (n, a.part) == (name, part)]
-        assert kinds.count("wrong") >= 6
-        assert kinds.count("right") >= 2
+        assert kinds.count("wrong") >= 8
+        assert kinds.count("right") >= 4
 
     def test_the_exercise_does_not_show_the_answer(self, name, part):
         assert secrets(SETS[name], part)
@@ -126,6 +129,28 @@ class TestProblemSet:
         for cell in filter(is_check, SETS[name].solution.cells):
             kinds = [output.output_type for output in cell.outputs]
             assert "execute_result" not in kinds, f"{grade_id(cell)}: print or display it"
+
+    def test_checks_see_no_name_of_the_student(self, name):
+        cells = [c for c in SETS[name].solution.cells if c.cell_type == "code"]
+        given = set()
+        for cell in cells:
+            if not (is_part(cell) or is_check(cell)):
+                *before, last = ast.parse(cell.source).body
+                assert ast.unparse(last.value.func) == "check.keep"
+                kept = last.value.args[1].value.split()
+                assert sorted(kept) == sorted(set().union(*map(bound, before)))
+                given |= set(kept)
+        for cell in filter(is_check, cells):
+            assert cell.metadata["jupyter"] == {"source_hidden": True}, grade_id(cell)
+            imported, run = ast.parse(cell.source).body
+            assert ast.unparse(imported) == "from amrmetrics import check"
+            assert [ast.unparse(d) for d in run.decorator_list] == ["check.part(globals())"]
+            letter = grade_id(cell).removeprefix("check-")
+            assert run.name == f"check_{letter}"
+            part = next(c for c in cells if grade_id(c) == f"part-{letter}")
+            asked = {argument.arg for argument in run.args.args}
+            assert asked <= set().union(*map(bound, ast.parse(part.source).body))
+            assert not asked & given
 
     def test_every_cell_has_its_own_grade_id_and_no_checksum(self, name):
         cells = [c for c in SETS[name].solution.cells if nbgrader(c)]

@@ -1,6 +1,9 @@
 """Feedback in problem sets: right answers pass, wrong ones are told why and nothing more."""
 
+import functools
 import re
+import warnings
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -42,6 +45,23 @@ class TestValue:
             (np.True_, True),
             (float("nan"), float("nan")),
             ((float("inf"), 2), (..., 2)),
+            (1, True),
+            (0.0, False),
+            (sp.true, True),
+            (" Yes ", "yes"),
+            (np.array(2.0), 2),
+            (np.array([2.0]), 2),
+            (sp.Rational(5, 2), 2.5),
+            (sp.sqrt(2) * 3, 18**0.5),
+            ([sp.Rational(1, 2), 1], np.array([0.5, 1])),
+            (sp.Matrix([1, 2]), np.array([1, 2])),
+            (Fraction(1, 3), 1 / 3),
+            ([1, 2], (1, 2)),
+            (np.array([1, 2]), (1, 2)),
+            (np.array(["a", "b"]), ("a", "b")),
+            (np.array([True, False]), (True, False)),
+            ([1, 0], (True, False)),
+            ([[1, 2], True], (np.array([1, 2]), True)),
         ],
     )
     def test_accepts_what_is_right(self, yours, expected):
@@ -66,7 +86,9 @@ class TestValue:
             (float("nan"), 2, "not finite"),
             (float("inf"), 2, "not finite"),
             (1, "yes", "a string is asked"),
-            (1, True, "True or False is asked"),
+            (2, True, "True or False is asked"),
+            ("1", True, "True or False is asked"),
+            ({1, 2}, (1, 2), "a tuple of 2 results is asked"),
             ("yes", True, "True or False is asked"),
             (False, True, "False is not right"),
             ("no", "yes", "'no' is not right"),
@@ -263,10 +285,11 @@ class TestWrongLine:
             (2, ..., "no answer yet"),
             (1, "x**2", "a whole number from 2 to 4 is asked"),
             (5, "x**2", "a whole number from 2 to 4 is asked"),
-            ("2", "x**2", "a whole number from 2 to 4 is asked"),
             (2.5, "x**2", "a whole number from 2 to 4 is asked"),
             ([2], "x**2", "a whole number from 2 to 4 is asked"),
             (True, "x**2", "a whole number from 2 to 4 is asked"),
+            ("two", "x**2", "a whole number from 2 to 4 is asked"),
+            (2.5, "x**2", "a whole number from 2 to 4 is asked"),
             (2, 5, "a string is asked"),
             (2, "2x", "unreadable"),
             (2, "z", "z is not declared"),
@@ -604,3 +627,177 @@ class TestWhatALineShows:
 def test_an_integer_beyond_all_doubles_is_wrong_and_breaks_nothing():
     text = message(check.value, "p", 1 - 1999**1800, 0.5)
     assert text == "p: you have a number beyond all doubles."
+
+
+SETUP = """
+import numpy as np
+from amrmetrics import check
+p = np.array([[0.0, 0], [1, 2]])
+rules = {"square": lambda x: np.square(x)}
+def moved(x): return p + x
+check.keep(globals(), "np p rules moved")
+"""
+
+
+class TestPart:
+    @pytest.fixture
+    def notebook(self):
+        space = {"__name__": "__main__"}
+        exec(SETUP, space)
+        return space
+
+    @staticmethod
+    def run(notebook, answer, body):
+        exec(answer, notebook)
+        exec(f"@check.part(globals())\ndef check_a(yours):\n    {body}", notebook)
+
+    @pytest.mark.parametrize(
+        "before",
+        [
+            "p = p - p.mean(axis=0)",
+            "p -= 1",
+            "p[1, 1] = 7",
+            "np = sum = len = moved = 3",
+            "rules['square'] = None",
+            "rules.clear()",
+            "del p, np",
+            "from math import *",
+            "import warnings; warnings.simplefilter('error')",
+            "np.seterr(all='raise')",
+        ],
+    )
+    def test_no_name_of_the_student_reaches_the_check(self, notebook, before):
+        body = (
+            "check.value('x', [moved(1)[1, 1], rules['square'](3), sum([1, 2]), np.log(0)], yours)"
+        )
+        with np.errstate(), warnings.catch_warnings():
+            self.run(notebook, f"{before}\nyours = [3, 9, 3, -float('inf')]", body)
+            assert notebook["moved"](0).tolist() == [[0, 0], [1, 2]]  # as given, for the next part
+
+    def test_says_that_a_given_name_had_another_value(self, notebook):
+        with pytest.raises(NotYet, match=r"not right.*had given p another value.*once more"):
+            self.run(notebook, "p = 0 * p\nyours = p.sum()", "check.value('sum', yours, p.sum())")
+        self.run(notebook, "yours = p.sum()", "check.value('sum', yours, p.sum())")
+        with pytest.raises(NotYet, match=r"not right\.$"):
+            self.run(notebook, "yours = 4", "check.value('sum', yours, p.sum())")
+
+    def test_a_missing_answer_is_no_answer_yet(self, notebook):
+        for answer in ("", "yours = ..."):
+            with pytest.raises(NotYet, match="no answer yet"):
+                self.run(notebook, answer, "raise AssertionError('ran')")
+
+    def test_leaves_no_name_behind(self, notebook):
+        self.run(notebook, "yours = 1", "cases = yours")
+        assert "cases" not in notebook
+        assert notebook["check_a"] is None
+
+    def test_an_error_of_the_check_is_not_dressed_up(self, notebook):
+        with pytest.raises(ZeroDivisionError):
+            self.run(notebook, "p = 1\nyours = 1", "1 / 0")
+        assert notebook["p"].shape == (2, 2)
+
+    def test_writes_nothing_that_costs_marks(self, notebook, capfd):
+        noisy = "import sys, warnings; warnings.warn('x'); print('mine', file=sys.stderr)"
+        self.run(notebook, f"def yours():\n    {noisy}", "yours()")
+        assert capfd.readouterr() == ("mine\n", "")
+
+    def test_an_answer_keeps_its_own_names(self, notebook):
+        self.run(
+            notebook, "half = 0.5\ndef yours(x): return half * x", "check.value('y', yours(3), 1.5)"
+        )
+
+
+class TestDraws:
+    def test_other_code_meets_other_cases_and_the_same_code_the_same(self):
+        def first(x):
+            return [x + 1 for x in x]
+
+        def second(x):
+            return [x + 2 for x in x]
+
+        again = eval(compile("lambda x: x", "elsewhere", "eval"))
+        numbers = [check.draws(f).integers(1 << 60) for f in (first, second, again, lambda x: x)]
+        assert numbers[2] == numbers[3]
+        assert len(set(numbers)) == 3
+
+    def test_a_function_of_another_process_brings_its_text(self):
+        def remote():
+            pass
+
+        remote.__answer__ = "def f(x): return 1"
+        before = check.draws(remote).random()
+        remote.__answer__ = "def f(x): return 2"
+        assert check.draws(remote).random() != before
+
+
+def test_a_mistake_that_fits_one_case_only_is_not_named():
+    cases = {f"{x}": (x,) for x in (0, 1, 2, 3, 4)}
+    mistakes = {"you double": lambda x: 2 * x + 1, "you triple": lambda x: 3 * x + 1}
+    text = message(check.function, lambda x: 3 * x + 1, cases, lambda x: x, mistakes)
+    assert "you triple" in text
+    text = message(check.function, lambda x: 5 * x + 1, cases, lambda x: x, mistakes)
+    assert text.endswith("it returns 1.")
+
+
+def test_a_mistake_is_named_though_the_right_function_is_taken_from_the_student():
+    cases = {"a row": (np.array([1.0, 2, 4]), np.ones(3))}
+    mistakes = {"you forgot the square": lambda p, y: np.mean(abs(p - y))}
+    forgot = mistakes["you forgot the square"]
+
+    def right(p, y):
+        return am.brier(y > 0, p / 8).value
+
+    text = message(check.function, forgot, cases, right, mistakes, without=(am.brier,))
+    assert "forgot the square" in text
+
+
+@pytest.mark.parametrize("way", ["default", "closure", "partial", "name"])
+def test_a_blocked_function_is_reached_by_no_reference(way):
+    kept = am.brier
+
+    def by_default(y, p, score=am.brier):
+        return score(y, p).value
+
+    def by_closure(y, p):
+        return kept(y, p).value
+
+    def by_name(y, p):
+        from amrmetrics.scoring import brier
+
+        return brier(y, p).value
+
+    partial = functools.partial(by_default, score=kept)
+    yours = {"default": by_default, "closure": by_closure, "partial": partial, "name": by_name}
+    cases = {"two cells": (np.array([0, 1]), np.array([0.2, 0.7]))}
+    arguments = (yours[way], cases, lambda y, p: am.brier(y, p).value)
+    assert "brier would do your work" in message(check.function, *arguments, without=(am.brier,))
+    check.function(*arguments)
+
+
+def test_a_mistake_in_one_of_two_results_is_not_named_for_a_slip_in_the_other():
+    cases = {f"{x}": (x,) for x in (1.0, 2.0, 3.0)}
+    mistakes = {"the second is lost": lambda x: (..., 0.0)}
+    text = message(check.function, lambda x: (-x, x), cases, lambda x: (x, x), mistakes)
+    assert "lost" not in text
+    text = message(check.function, lambda x: (-x, 0.0), cases, lambda x: (x, x), mistakes)
+    assert "the second is lost" in text
+
+
+def test_a_test_that_takes_one_wrong_function_for_right_is_told_which():
+    wrong = {"doubles": lambda x: 2 * x, "triples": lambda x: 3 * x}
+
+    def mine(f):
+        if (f(2), f(3)) != (4, 6):
+            raise AssertionError
+
+    text = message(check.test_function, mine, {"square": lambda x: x * x}, wrong)
+    assert text.endswith("It accepts one that doubles.")
+
+
+def test_the_right_line_in_a_later_place_is_told_from_a_wrong_one():
+    lines = ["(x + 1)**2", "x**2 + 1", "1 + x**2", "x**2 + 1 + 0*x"]
+    said = message(check.wrong_line, 3, "x**2 + 2*x + 1", lines, {"x": "real"})
+    assert "does follow from line 2" in said
+    check.wrong_line("2", "= x**2 + 2*x + 1", lines, {"x": "real"})
+    x = sp.Symbol("x")
+    check.wrong_line(2, x**2 + 2 * x + 1, lines, {"x": "real"})
