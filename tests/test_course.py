@@ -5,11 +5,13 @@ folder, and the programs that it starts are played by `Programs`.
 """
 
 import ast
+import contextlib
 import errno
 import importlib.util
 import json
 import os
 import re
+import runpy
 import shutil
 import subprocess
 import sys
@@ -79,11 +81,13 @@ def course(tmp_path, monkeypatch):
 # ---- which Python ----------------------------------------------------------------------------
 
 
-def test_the_file_is_python_3_8_and_imports_the_standard_library_only():
-    tree = ast.parse(SOURCE, feature_version=(3, 8))
+def test_the_file_is_python_3_6_and_imports_the_standard_library_only():
+    tree = ast.parse(SOURCE, feature_version=(3, 6))
     imports = [node for node in ast.walk(tree) if isinstance(node, (ast.Import, ast.ImportFrom))]
     names = {alias.name for node in imports for alias in node.names if alias.name != "Path"}
     assert names <= sys.stdlib_module_names
+    newer = (ast.NamedExpr, ast.Match, ast.TryStar)  # which the parser lets pass
+    assert not [node for node in ast.walk(tree) if isinstance(node, newer)]
 
 
 @pytest.mark.parametrize("found, advice", [(None, "https://www.python.org"), ("/x", "python3.14")])
@@ -96,12 +100,57 @@ def test_an_old_python_is_told_which_one_to_use(course, monkeypatch, capsys, fou
     assert told.count("\n") == 1
 
 
-def test_a_real_python_3_8_says_so(tmp_path):
-    old = shutil.which("python3.8")
-    if not old or subprocess.run([old, "--version"], capture_output=True).returncode:
-        pytest.skip("there is no Python 3.8 on this machine")
-    done = subprocess.run([old, ROOT / "course.py", "lab"], capture_output=True, encoding="utf-8")
-    assert done.returncode == 2 and "3.11 or newer" in done.stderr
+def test_streams_of_python_3_6_do_not_keep_the_advice_back(monkeypatch):
+    said = []
+    stream = SimpleNamespace(write=said.append, flush=lambda: None)  # without `reconfigure`
+    monkeypatch.setattr(sys, "version_info", (3, 6, 15, "final", 0))
+    monkeypatch.setattr(sys, "stdout", stream)
+    monkeypatch.setattr(sys, "stderr", stream)
+    monkeypatch.setattr(sys, "argv", ["course.py", "lab"])
+    with pytest.raises(SystemExit) as stopped:
+        runpy.run_path(str(ROOT / "course.py"), run_name="__main__")
+    assert stopped.value.code == 2 and "this is Python 3.6," in "".join(said)
+
+
+def interpreter(version):
+    """Return a real Python of this version, also one that pyenv keeps but does not switch on."""
+    kept = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
+    found = [shutil.which(f"python{version}"), *kept.glob(f"{version}.*/bin/python")]
+    for path in filter(None, found):
+        if not subprocess.run([path, "--version"], capture_output=True).returncode:
+            return path
+    pytest.skip(f"there is no Python {version} on this machine")
+
+
+@pytest.mark.parametrize("version", ["3.6", "3.8", "3.10"])
+def test_a_real_old_python_says_so(version):
+    done = subprocess.run(
+        [interpreter(version), ROOT / "course.py", "lab"], capture_output=True, encoding="utf-8"
+    )
+    assert done.returncode == 2 and f"this is Python {version}," in done.stderr
+    assert "3.11 or newer" in done.stderr and done.stderr.count("\n") == 1
+
+
+@pytest.mark.skipif(os.name == "nt", reason="the programs of this test are scripts of a shell")
+def test_a_python_that_is_advised_has_been_seen_to_run(course, tmp_path, monkeypatch):
+    shims = tmp_path / "shims"
+    for name, line in {
+        "python3.14": "echo 'pyenv: python3.14: command not found'; exit 127",
+        "python3.13": f'exec "{sys.executable}" -c "raise SystemExit(1)"',
+        "python3.12": f'exec "{sys.executable}" "$@"',
+    }.items():
+        course.write(shims / name, f"#!/bin/sh\n{line}\n".encode())
+        (shims / name).chmod(0o755)
+    monkeypatch.setattr(course, "subprocess", subprocess)
+    monkeypatch.setenv("PATH", str(shims))
+    assert "You have one: python3.12 course.py" in course.old_python()
+    (shims / "python3.12").unlink()
+    assert "Get it: https://www.python.org" in course.old_python()
+    assert course.this_command() == f'"{sys.executable}" course.py'
+    os.symlink(shims / "python3.13", shims / "python3")
+    course.write(shims / "python", f'#!/bin/sh\nexec "{sys.executable}" "$@"\n'.encode())
+    (shims / "python").chmod(0o755)
+    assert course.this_command() == "python course.py"
 
 
 # ---- set-up ----------------------------------------------------------------------------------
@@ -202,11 +251,49 @@ def test_pip_is_not_tried_where_it_would_fail_like_uv(course, part, output):
     assert not [line for line in course.programs.ran if "-m pip install" in line and " -r " in line]
 
 
-def test_another_systems_packages_are_shut_out(monkeypatch):
-    monkeypatch.setenv("PYTHONPATH", "/opt/robots/lib/python3/site-packages")
-    spec = importlib.util.spec_from_file_location("course_again", ROOT / "course.py")
+def loaded(path):
+    spec = importlib.util.spec_from_file_location("course_again", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("code_page", ["cp1252", "ascii", None])
+def test_a_path_that_the_code_page_lacks_is_read_and_shown(tmp_path, monkeypatch, code_page):
+    monkeypatch.setenv("PYTHONUTF8", "0")
+    monkeypatch.delenv("PYTHONIOENCODING", raising=False)
+    if code_page:
+        monkeypatch.setenv("PYTHONIOENCODING", code_page)
+    module = loaded(shutil.copy(ROOT / "course.py", tmp_path))
+    said = module.quietly("", sys.executable, "-c", "print('Mój kurs, książka, コース')")
+    assert said.strip() == "Mój kurs, książka, コース"
+    monkeypatch.setattr(module, "PYTHON", sys.executable)
+    monkeypatch.setattr(module.signal, "signal", lambda *args: None)
+    assert module.in_front("-c", "print('Mój kurs, książka, コース')") == 0
+
+
+def test_a_mapped_drive_keeps_its_letter(tmp_path, monkeypatch):
+    (tmp_path / "server").mkdir()
+    shutil.copy(ROOT / "course.py", tmp_path / "server")
+    os.symlink(tmp_path / "server", tmp_path / "drive")
+    module = loaded(tmp_path / "drive" / "course.py")
+    assert module.ROOT.name == "drive"
+
+
+def test_a_program_that_runs_is_not_deleted_on_windows(course, monkeypatch, capsys):
+    monkeypatch.setattr(course, "WINDOWS", True)
+    monkeypatch.setattr(course.sys, "prefix", str(course.VENV))
+    monkeypatch.setattr(course.sys, "_base_executable", "C:\\Python\\python.exe")
+    monkeypatch.setattr(course, "one_at_a_time", contextlib.nullcontext)
+    assert course.main(["lab"]) == 2
+    told = capsys.readouterr()
+    assert 'Type: "C:\\Python\\python.exe" course.py lab' in told.err
+    assert told.err.count("\n") == 1 and not told.out and not course.programs.ran
+
+
+def test_another_systems_packages_are_shut_out(monkeypatch):
+    monkeypatch.setenv("PYTHONPATH", "/opt/robots/lib/python3/site-packages")
+    module = loaded(ROOT / "course.py")
     assert "PYTHONPATH" not in module.ENVIRONMENT and "PATH" in module.ENVIRONMENT
 
 
@@ -241,6 +328,13 @@ OUTPUTS = [
     ("[WinError 5] Access is denied: 'python.exe'", "cannot write in"),
     ("[Errno 30] Read-only file system", "cannot write in"),
     ("The filename or extension is too long", "path is too long"),
+    ("error: failed to write: The system cannot find it. (os error 206)", "path is too long"),
+    (
+        "ERROR: Could not install packages due to an OSError: [Errno 2] No such file or directory\n"
+        "HINT: This error might have occurred since this system does not have Windows Long Path "
+        "support enabled. See https://pip.pypa.io/warnings/enable-long-paths",
+        "path is too long",
+    ),
 ]
 
 
@@ -289,6 +383,19 @@ def test_errors_of_the_system_end_in_one_line_too(course, monkeypatch, capsys, c
     assert meaning in told and told.count("\n") == 1
 
 
+@pytest.mark.parametrize("command", [["lab"], ["reset", "02"]])
+def test_a_folder_that_cannot_be_written_costs_one_sentence(
+    course, monkeypatch, capsys, exercise, command
+):
+    def refuse(path, mode="r", **options):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
+
+    monkeypatch.setattr(course, "open", refuse, raising=False)
+    assert course.main(command) == 2
+    told = capsys.readouterr()
+    assert "cannot write in" in told.err and told.err.count("\n") == 1 and not told.out
+
+
 def test_ctrl_c_is_no_traceback(course, capsys):
     course.programs.stop_at = 2
     assert course.main(["lab"]) == 130
@@ -307,29 +414,253 @@ def test_no_command_or_an_unknown_one_prints_the_list(course, capsys, arguments,
 # ---- lab and test ----------------------------------------------------------------------------
 
 
+SET = "02_alignment/02_alignment.ipynb"
+
+
+def pages(*sources, output=""):
+    """Return a notebook as it is saved."""
+    cells = [
+        {"cell_type": "code", "source": [source], "outputs": [output], "metadata": {"run": output}}
+        for source in sources
+    ]
+    return json.dumps({"cells": cells, "metadata": {"shown": output}}).encode()
+
+
 @pytest.fixture
 def exercise(course):
-    path = course.ROOT / "exercises" / "02_alignment" / "02_alignment.ipynb"
-    course.write(path, b"the exercise")
-    course.write(path.parent / "data" / "cloud.csv", b"1,2")
+    path = course.ROOT / "exercises" / SET
+    course.write(path, pages("the exercise"))
+    course.write(path.parent / "cloud.csv", b"1,2")
     course.write(path.parent / ".ipynb_checkpoints" / "x.ipynb", b"")
-    return course.ROOT / "my_work" / "02_alignment" / "02_alignment.ipynb"
+    course.write(course.ROOT / "notebooks" / "02_alignment.ipynb", pages("the lecture"))
+    course.write(course.ROOT / "notebooks" / "02_picture.png", b"a picture")
+    course.write(course.ROOT / "notebooks" / "ruff.toml", b"")
+    return course.ROOT / "my_work" / SET
 
 
-def test_exercises_are_copied_once_and_work_is_never_overwritten(course, exercise):
+def in_my_work(course):
+    return sorted(name for name in tree(course.ROOT / "my_work") if not name.startswith("."))
+
+
+def test_my_work_gets_lectures_and_exercises(course, exercise, capsys):
     course.hand_out()
-    assert exercise.read_bytes() == b"the exercise"
-    assert (exercise.parent / "data" / "cloud.csv").read_bytes() == b"1,2"
-    assert not list((course.ROOT / "my_work").rglob("*checkpoints*"))
-    assert not list((course.ROOT / "my_work").rglob("*.part"))
-    exercise.write_bytes(b"my answer")
-    (course.ROOT / "exercises/02_alignment/02_alignment.ipynb").write_bytes(b"a newer exercise")
-    course.write(course.ROOT / "exercises/03_trajectory/03_trajectory.ipynb", b"a new one")
-    (exercise.parent / "data" / "cloud.csv").unlink()
+    assert exercise.read_bytes() == pages("the exercise")
+    assert (exercise.parent / "cloud.csv").read_bytes() == b"1,2"
+    lectures = ["lectures/02_alignment.ipynb", "lectures/02_picture.png"]
+    assert in_my_work(course) == [SET, "02_alignment/cloud.csv", *lectures]
+    assert capsys.readouterr().out == "New in my_work: 02_alignment, lectures\n"
+    (exercise.parent / "cloud.csv").unlink()
     course.hand_out()
-    assert exercise.read_bytes() == b"my answer"
-    assert (exercise.parent / "data" / "cloud.csv").exists(), "what was deleted comes back"
-    assert (course.ROOT / "my_work/03_trajectory/03_trajectory.ipynb").read_bytes() == b"a new one"
+    assert (exercise.parent / "cloud.csv").exists(), "what was deleted comes back"
+    course.hand_out()
+    assert capsys.readouterr().out == "New in my_work: 02_alignment\n"
+
+
+def test_work_is_never_overwritten_and_the_newer_version_is_told_once(course, exercise, capsys):
+    course.hand_out()
+    exercise.write_bytes(pages("my answer"))
+    (exercise.parent / "cloud.csv").write_bytes(b"my data")
+    course.write(course.ROOT / "exercises" / SET, pages("version 2"))
+    course.write(course.ROOT / "exercises/02_alignment/cloud.csv", b"3,4")
+    course.write(course.ROOT / "exercises/03_trajectory/03_trajectory.ipynb", pages("a new one"))
+    capsys.readouterr()
+    course.hand_out()
+    told = capsys.readouterr().out
+    assert f"There is a newer my_work/{SET}." in told and "02_alignment.new.ipynb" in told
+    assert "cloud.new.csv" in told and "New in my_work: 03_trajectory" in told
+    newer = exercise.with_name("02_alignment.new.ipynb")
+    assert exercise.read_bytes() == pages("my answer") and newer.read_bytes() == pages("version 2")
+    assert (exercise.parent / "cloud.csv").read_bytes() == b"my data"
+    newer.unlink()
+    course.hand_out()
+    assert not newer.exists() and not capsys.readouterr().out
+
+
+def test_a_third_version_takes_the_place_of_the_second_if_nobody_has_written_in_it(
+    course, exercise
+):
+    course.hand_out()
+    exercise.write_bytes(pages("my answer"))
+    source, newer = course.ROOT / "exercises" / SET, exercise.with_name("02_alignment.new.ipynb")
+    for number in (2, 3):
+        course.write(source, pages(f"version {number}"))
+        course.hand_out()
+        assert newer.read_bytes() == pages(f"version {number}")
+    newer.write_bytes(pages("my second answer"))
+    course.write(source, pages("version 4"))
+    course.hand_out()
+    assert newer.read_bytes() == pages("my second answer")
+    second = exercise.with_name("02_alignment.new-2.ipynb")
+    assert second.read_bytes() == pages("version 4")
+    assert exercise.read_bytes() == pages("my answer")
+
+
+@pytest.mark.parametrize("run", [False, True], ids=["unopened", "run and saved"])
+def test_a_copy_without_a_word_of_the_students_is_replaced(course, exercise, capsys, run):
+    course.hand_out()
+    if run:  # JupyterLab adds an empty cell at the end
+        exercise.write_bytes(pages("the exercise", "", output="what it shows"))
+    course.hand_out()
+    assert (b"what it shows" in exercise.read_bytes()) == run, "nothing is newer yet"
+    course.write(course.ROOT / "exercises" / SET, pages("version 2"))
+    course.write(course.ROOT / "exercises/02_alignment/cloud.csv", b"3,4")
+    capsys.readouterr()
+    course.hand_out()
+    assert exercise.read_bytes() == pages("version 2")
+    assert (exercise.parent / "cloud.csv").read_bytes() == b"3,4"
+    assert capsys.readouterr().out == "Updated in my_work: 02_alignment\n"
+    assert not list(exercise.parent.glob("*.new*"))
+
+
+def test_new_outputs_alone_are_no_news_to_who_has_answered(course, exercise, capsys):
+    course.hand_out()
+    exercise.write_bytes(pages("my answer"))
+    course.write(course.ROOT / "exercises" / SET, pages("the exercise", output="other"))
+    capsys.readouterr()
+    course.hand_out()
+    assert not capsys.readouterr().out and exercise.read_bytes() == pages("my answer")
+
+
+@pytest.mark.parametrize("damage", [b"", b"[]", b'{"02_alignment/02_alignment.ipynb": 3}'])
+def test_without_knowing_what_was_handed_out_nothing_is_overwritten(course, exercise, damage):
+    course.hand_out()
+    course.write(course.HANDED_OUT, damage)
+    course.hand_out()
+    assert not list(exercise.parent.glob("*.new*")), "what is as in exercises/ is not newer"
+    exercise.write_bytes(pages("my answer"))
+    course.write(course.HANDED_OUT, damage)
+    course.hand_out()
+    assert exercise.read_bytes() == pages("my answer")
+
+
+def links(path):
+    for cell in json.loads(path.read_bytes())["cells"]:
+        if cell["cell_type"] == "markdown":
+            yield from re.findall(r"\]\(([^)#]+)", "".join(cell["source"]))
+
+
+def test_links_of_the_copies_lead_to_copies_and_to_files_that_exist(course):
+    for name in ("exercises", "notebooks"):
+        shutil.copytree(ROOT / name, course.ROOT / name)
+    course.hand_out()
+    copies = [*(course.ROOT / "my_work").rglob("*.ipynb")]
+    assert len(copies) == len(
+        [*(ROOT / "exercises").rglob("*.ipynb"), *ROOT.glob("notebooks/*.ipynb")]
+    )
+    seen = set()
+    for copy in copies:
+        for link in links(copy):
+            if "://" in link:
+                continue
+            target = Path(os.path.normpath(copy.parent / link)).relative_to(course.ROOT)
+            assert (course.ROOT / target).exists() or (ROOT / target).exists(), (copy.name, link)
+            assert target.parts[0] not in course.LINKS, (copy.name, link)
+            seen.add("/".join(target.parts[:2]))
+    assert {"my_work/lectures", "my_work/04_consistency", "README.md"} <= seen
+
+
+def git(folder, *arguments):
+    done = subprocess.run(
+        ["git", "-c", "user.name=A", "-c", "user.email=a@b", *arguments],
+        cwd=folder,
+        capture_output=True,
+        encoding="utf-8",
+    )
+    assert not done.returncode, done.stderr
+    return done.stdout
+
+
+@pytest.mark.skipif(not shutil.which("git"), reason="there is no git on this machine")
+def test_a_lecture_that_was_opened_and_saved_does_not_block_git_pull(tmp_path, started, course):
+    course.main(["lab"])
+    opened = next(part for part in started[-1] if "default_url" in part)
+    opened = opened.partition("/lab/tree/")[2]  # what JupyterLab shows, and saves
+    lecture = f"notebooks/{Path(opened).name}"
+    upstream, mine = tmp_path / "upstream", tmp_path / "mine"
+    upstream.mkdir()
+    git(upstream, "init", "--initial-branch=main")
+    shutil.copy(ROOT / ".gitignore", upstream)
+    shutil.copy(ROOT / "course.py", upstream)
+    course.write(upstream / lecture, pages("the lecture"))
+    course.write(upstream / "exercises" / SET, pages("the exercise"))
+    git(upstream, "add", ".")
+    git(upstream, "commit", "--message=1")
+    git(tmp_path, "clone", str(upstream), str(mine))
+    clone = loaded(mine / "course.py")
+    clone.hand_out()
+    saved = pages("the lecture", "my own notes", output="42")
+    course.write(mine / opened, saved)
+    course.write(mine / "my_work" / SET, pages("my answer"))
+    course.write(upstream / lecture, pages("a better lecture"))
+    course.write(upstream / "exercises" / SET, pages("a better exercise"))
+    git(upstream, "commit", "--all", "--message=2")
+    git(mine, "pull")
+    assert (mine / lecture).read_bytes() == pages("a better lecture")
+    clone.hand_out()
+    assert (mine / opened).read_bytes() == saved
+    assert (mine / opened.replace(".ipynb", ".new.ipynb")).read_bytes() == pages("a better lecture")
+    assert (mine / "my_work" / SET).read_bytes() == pages("my answer")
+    assert not git(mine, "status", "--porcelain")
+
+
+# ---- reset and progress ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["02", "02_alignment"])
+def test_reset_lays_a_fresh_copy_and_keeps_the_old_one(course, exercise, capsys, name):
+    course.hand_out()
+    notes = {"02_alignment": {"a": {"holds": True}}, "03_trajectory": {"b": {"holds": True}}}
+    progress = course.ROOT / "my_work" / "progress.json"
+    for number in (1, 2):
+        exercise.write_bytes(pages(f"answer {number}"))
+        course.write(progress, json.dumps(notes).encode())
+        assert course.main(["reset", name]) == 0
+        assert exercise.read_bytes() == pages("the exercise")
+        assert json.loads(progress.read_bytes()) == {"03_trajectory": notes["03_trajectory"]}
+    today = course.time.strftime("%Y-%m-%d")
+    kept = [f"02_alignment.{today}.ipynb", f"02_alignment.{today}-2.ipynb"]
+    assert [exercise.with_name(name).read_bytes() for name in kept] == [
+        pages("answer 1"),
+        pages("answer 2"),
+    ]
+    assert f"Kept as my_work/02_alignment/{kept[0]}" in capsys.readouterr().out
+    assert course.main(["reset", name]) == 0 and len(list(exercise.parent.glob("*.ipynb"))) == 3
+    exercise.unlink()
+    assert course.main(["reset", name]) == 0 and exercise.exists()
+    course.write(course.ROOT / "exercises" / SET, pages("version 2"))
+    course.hand_out()
+    assert exercise.read_bytes() == pages("version 2"), "a reset set is as it was handed out"
+
+
+def test_reset_touches_no_other_set_and_no_lecture(course, exercise):
+    course.write(course.ROOT / "exercises/03_trajectory/03_trajectory.ipynb", pages("three"))
+    course.hand_out()
+    others = [course.ROOT / "my_work" / name for name in in_my_work(course) if "02_a" not in name]
+    for path in others:
+        path.write_bytes(b"mine")
+    course.main(["reset", "02"])
+    assert {path.read_bytes() for path in others} == {b"mine"}
+
+
+@pytest.mark.parametrize("arguments", [[], ["2"], ["99"], ["alignment"], ["02", "03"], ["../02"]])
+def test_reset_of_an_unknown_set_names_the_sets(course, exercise, capsys, arguments):
+    course.hand_out()
+    before = tree(course.ROOT / "my_work")
+    assert course.main(["reset", *arguments]) == 2
+    told = capsys.readouterr().err
+    assert "Name one of: 02_alignment." in told and told.count("\n") == 1
+    assert tree(course.ROOT / "my_work") == before
+
+
+def test_progress_is_shown_on_request_and_before_lab_opens(course, started, exercise):
+    course.main(["progress"])
+    shown = ["-m", "amrmetrics._progress"]
+    assert started == [shown]
+    course.main(["lab"])
+    assert len(started) == 2 and started[-1][1] == "jupyterlab", "there is nothing to show yet"
+    course.write(course.ROOT / "my_work" / "progress.json", b"{}")
+    course.main(["lab"])
+    assert started[-2] == shown and started[-1][1] == "jupyterlab"
 
 
 def test_an_empty_answer_is_an_answer(course, exercise):
@@ -347,7 +678,7 @@ def test_a_copy_that_is_cut_short_leaves_no_half_file(course, exercise, monkeypa
         course.hand_out()
     assert not exercise.exists()
     course.hand_out()
-    assert exercise.read_bytes() == b"the exercise"
+    assert exercise.read_bytes() == pages("the exercise")
 
 
 @pytest.fixture
@@ -362,7 +693,8 @@ def test_lab_opens_the_first_notebook_on_this_machine_only(course, started, exer
     assert course.main(["lab", "--no-browser", "--port", "8877"]) == 7
     (line,) = started
     assert line[:2] == ["-m", "jupyterlab"] and line[-3:] == ["--no-browser", "--port", "8877"]
-    assert "--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb" in line
+    assert "--LabApp.default_url=/lab/tree/my_work/lectures/00_start_here.ipynb" in line
+    assert "--ContentsManager.hide_globs=notebooks" in line
     assert "--ServerApp.ip=127.0.0.1" in line and "--allow-root" in line
     assert not [part for part in line if "token" in part or "password" in part]
     assert exercise.exists()
@@ -598,4 +930,5 @@ def test_doctor_goes_on_after_a_failure_and_gives_advice(capsys, monkeypatch):
 def test_doctor_without_a_set_up_says_how_to_make_one(course, capsys):
     assert course.main(["doctor"]) == 1
     said = capsys.readouterr().out
-    assert "set-up: FAILED" in said and "course.py lab" in said and not course.programs.ran
+    assert "set-up: FAILED" in said and "course.py lab" in said
+    assert not course.programs.count("venv") and not course.programs.count("install")

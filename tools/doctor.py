@@ -6,6 +6,7 @@ printed when it fails. Imports stand inside, so that one broken package fails on
 
 import importlib.metadata
 import io
+import os
 import shutil
 import subprocess
 import sys
@@ -13,7 +14,7 @@ import tempfile
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(os.path.abspath(__file__)).parent.parent
 PACKAGES = "numpy scipy sympy matplotlib jupyterlab ipykernel ipywidgets nbgrader amrmetrics"
 
 
