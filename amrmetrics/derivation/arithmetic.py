@@ -60,6 +60,11 @@ def middle(x, prec=60):
     return libmpi.mpi_mid(x, prec)
 
 
+def fraction(x):
+    """Return a number of mpmath as the fraction that it is."""
+    return Fraction(*map(int, libmp.to_rational(x._mpf_)))
+
+
 def as_float(x):
     try:
         return libmp.to_float(middle(x))

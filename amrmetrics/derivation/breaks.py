@@ -4,17 +4,17 @@ import sympy as sp
 
 from .reading import is_claim, is_matrix, tidy
 
-KINKED = sp.Abs | sp.sign | sp.Max | sp.Min
-JUMPING = sp.floor | sp.ceiling | sp.Mod | sp.Heaviside
+BENT = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Mod, sp.Heaviside, sp.Piecewise)
 
 
 def minus(a, b):
     return a if b == 0 else sp.Add(a, sp.Mul(-1, b, evaluate=False), evaluate=False)
 
 
-def needs(w, model=None):
+def needs(w, model=None, ways=({},)):
     """Yield (kind, formulas) for what the node `w` itself needs in order to have a value.
 
+    `ways` are what the letters of sums and products may be exchanged for, see `proving`.
     Kinds: ``nonzero``, ``positive``, ``nonnegative``, ``unit`` (at most 1 in size), ``pair`` (not
     both zero), ``gamma`` (no whole number below 1).
     """
@@ -27,9 +27,10 @@ def needs(w, model=None):
             yield "positive" if negative else "nonnegative", (w.base,)
         elif not w.base.is_positive:
             exponent = w.exp if model is None else model.evaluated(w.exp)
-            if not exponent.is_integer:
+            exponents = [exponent.subs(way) for way in ways]
+            if not all(e.is_integer for e in exponents):
                 yield "positive", (w.base,)
-            elif not exponent.is_nonnegative:
+            elif not any(e.is_nonnegative for e in exponents):
                 yield "nonzero", (w.base,)
     elif isinstance(w, sp.log):
         yield "positive", w.args

@@ -154,9 +154,19 @@ class Step:
 
     def settled_by_proof(self, search):
         """Whether a proof saves the many quadratures that a full search would take."""
-        if not search.rough or search.refutes(most=FEW) or search.suspect or search.enlarged:
+        if not search.rough or self.narrowed():
+            return False
+        if search.refutes(most=FEW) or search.suspect or search.enlarged:
             return False
         return (search.points > 0 or self.before is None) and self.proved()
+
+    def narrowed(self):
+        """Whether the line after needs what the line before does not: then points may be lost."""
+        first, both = (
+            bounded(lambda lines=lines: conditions(lines, self.model), 0.8, 3)[1]
+            for lines in (self.search.lines[:1], self.search.lines)
+        )
+        return first != both
 
     def proved(self):
         if not self.said:  # a proof without its conditions is none

@@ -68,8 +68,6 @@ class _Closing:
         if high == sp.oo:
             return self.series(s, body, i, low)
         head, body, high = self.from_one(body, i, low, high)
-        if body is None:
-            return self.name("sum", s)
         return head + sum(self.one_sum(t, high) for t in sp.Add.make_args(sp.expand(body)))
 
     def from_one(self, body, i, low, high):
@@ -108,11 +106,8 @@ class _Closing:
     def picked(self, m, delta, n):
         """The term that a Kronecker delta picks, if its place is proved to lie in the range."""
         a, b = delta.args
-        places = sp.solve(a - b, K)
-        if len(places) != 1:
-            return self.name("sum", m, n)
-        place = places[0]
-        if self.proved(place - 1) and self.below(place, n):
+        place, *others = sp.solve(a - b, K) or [sp.nan]
+        if place.is_integer and not others and self.proved(place - 1) and self.below(place, n):
             return (m / delta).subs(K, place)
         return self.name("sum", m, n)
 
@@ -133,12 +128,9 @@ class _Closing:
 
     def geometric(self, m, n):
         """Sum over k = 1..n of binomial(n, k)**b * P(k) * r**k, or None."""
-        parts = split_powers(m, K)
-        if parts is None:
-            return None
-        c, P, r, special = parts
+        c, P, r, special = split_powers(m, K)
         if special == [sp.binomial(n, K)]:
-            return c * (self.binomial_sum(P, r, n, falling) - P.subs(K, 0))
+            return c * (self.binomial_sum(P, r, n) - P.subs(K, 0))
         if special or r == 1 or not nonzero(r - 1, self.model):
             return None
         q = sp.Dummy("q", positive=True)
@@ -152,10 +144,11 @@ class _Closing:
         return c * result.subs(q, r)
 
     @staticmethod
-    def binomial_sum(P, r, n, falling):
+    def binomial_sum(P, r, n):
         """Sum over k = 0..n of binomial(n, k) P(k) r**k, by falling factorials of k."""
         return sum(
-            a * sp.ff(n, j).expand(func=True) * r**j * (1 + r) ** (n - j) for j, a in falling(P)
+            a * sp.ff(n, j).expand(func=True) * r**j * sp.factor(1 + r) ** (n - j)
+            for j, a in falling(P)
         )
 
     def series(self, s, body, i, low):
@@ -164,10 +157,7 @@ class _Closing:
         result = 0
         for t in sp.Add.make_args(sp.expand(body.subs(i, k + low))):
             c, m = t.as_independent(k)
-            parts = split_powers(m, k)
-            if parts is None:
-                return self.by_sympy(s)
-            a, P, r, special = parts
+            a, P, r, special = split_powers(m, k)
             if not special and r != 1 and positive(1 - r**2, self.model):
                 result += (
                     c
@@ -417,12 +407,7 @@ class _Closing:
     def moments(self, body, x, low, high):
         """Named integrals over a standard range, one for each term."""
         u = sp.Dummy("u", positive=True)
-        if (
-            low.is_finite is not False
-            and high.is_finite is not False
-            and low != -sp.oo
-            and high != sp.oo
-        ):
+        if low != -sp.oo and high != sp.oo:
             body, low, high = body.subs(x, low + (high - low) * u) * (high - low), 0, 1
         elif low != -sp.oo and high == sp.oo:
             body, low = body.subs(x, low + u), 0
@@ -437,9 +422,9 @@ class _Closing:
 
 
 def split_powers(m, k):
-    """Return (c, P, r, special) with m = c P(k) r**k times special factors, or None."""
+    """Return (c, P, r, special) with m = c P(k) r**k times special factors."""
     c, r, P, special = sp.Integer(1), sp.Integer(1), sp.Poly(1, k), []
-    for f in sp.Mul.make_args(sp.powsimp(m, combine="base") if False else m):
+    for f in sp.Mul.make_args(m):
         base, e = (sp.E, f.args[0]) if isinstance(f, sp.exp) else f.as_base_exp()
         if not f.has(k):
             c *= f

@@ -424,10 +424,11 @@ class Matrix(Domain):
 
     def _drawn(self, rng, style):
         rows, columns = self.kind
+        scale = Fraction(10) ** rng.choice([-9, -4, 0, 0, 4]) if style == "wild" else 1
 
         def number(positive=False):
             x = Fraction(rng.randint(1, 3)) if style in ("small", "edge") else fraction(rng)
-            return x if positive else rng.choice([x, -x, x - 1])
+            return scale * (x if positive else rng.choice([x, -x, x - 1]))
 
         if style == "one" and rows == columns:
             return [[Fraction(int(i == j)) for j in range(rows)] for i in range(rows)]

@@ -13,6 +13,7 @@ from mpmath import libmp
 from sympy.core.function import AppliedUndef
 from sympy.matrices.expressions.matexpr import MatrixElement
 
+from . import breaks
 from .arithmetic import (
     Arithmetic,
     Imprecise,
@@ -20,14 +21,16 @@ from .arithmetic import (
     Unreliable,
     as_float,
     certain_sign,
+    fraction,
     sign,
     whole,
 )
 from .reading import rebuild, renamed
 
-LONGEST_SUM = 400
+LONGEST_SUM = 10_000
+LONGEST_SERIES = 400
 LARGEST_MATRIX = 6
-BENT = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Piecewise, AppliedUndef)
+BENT = (*breaks.BENT, AppliedUndef)
 A = Arithmetic
 FUNCTIONS = {
     sp.sin: A.sin,
@@ -186,7 +189,7 @@ def _series(body, name, first, at, combine):
         return value(body, at.bind(name, Fraction(k)))
 
     total, last, bound = [], None, None
-    for k in range(first, first + LONGEST_SUM):
+    for k in range(first, first + LONGEST_SERIES):
         t = term(k)
         total.append(t)
         size = a.mp.make_mpf(a.size(t))
@@ -219,7 +222,9 @@ def _refuse_slow_decay(f, places, a):
     sizes = [a.number(f(x)) * x for x in places]
     same = len({x > 0 for x in sizes}) == 1 and 0 not in sizes
     if all((x > 0) != (y > 0) for x, y in zip(sizes[::2], sizes[1::2], strict=True)):
-        return  # alternating
+        if abs(sizes[-1]) * places[0] >= abs(sizes[0]) * places[-1] * 0.99:
+            raise Undefined("converges")
+        return  # alternating, and the terms fall
     if same and all(abs(y) >= abs(x) * 0.99 for x, y in itertools.pairwise(sizes)):
         raise Undefined("converges")
     if not same or abs(sizes[-1]) > abs(sizes[0]) / 2:
@@ -311,7 +316,7 @@ def _quadrature(w, at):
     low, high = min(low, high), max(low, high)
 
     def exact(x):
-        return Fraction(*map(int, libmp.to_rational(mp.mpf(x)._mpf_)))
+        return fraction(mp.mpf(x))
 
     def f(x):
         return value(body, inner.bind(name, x))
@@ -326,7 +331,12 @@ def _quadrature(w, at):
             raise
 
     cuts = _cuts(body, name, low, high, inner, exact)
-    _refuse_divergence(f, low, high, cuts, exact, a)
+    sharp = inner if nested else inner._copy(arithmetic=Arithmetic(3500, lenient=True))
+
+    def close(x):  # 10**-900 from an end, what rounding leaves of other numbers is too much
+        return value(body, sharp.bind(name, x))
+
+    _refuse_divergence(f, close, low, high, cuts, exact, a)
     at.budget.spend(40)
     try:
         total, error = mp.quad(smooth, [low, *cuts, high], error=True, maxdegree=4 if rough else 6)
@@ -383,14 +393,12 @@ def _end(w, at, a):
 
 def _cuts(body, name, low, high, at, exact):
     """Where the integrand breaks or bends, and in a long range around its middle."""
-    from .breaks import breaks
-
     mp = at.arithmetic.mp
     span = [max(low, mp.mpf(-30)), min(high, mp.mpf(30))]
     found = []
     if span[0] < span[1]:
         xs = [span[0] + (span[1] - span[0]) * (mp.mpf(k) + mp.mpf("0.37")) / 40 for k in range(40)]
-        places = breaks(body, only=name)
+        places = breaks.breaks(body, only=name)
         places += [g.diff(name) for g in places if g.has(sp.sin, sp.cos) and not g.has(*BENT)]
         for g in places:  # a wave may touch zero without a change of sign
             found += _roots_between(lambda x, g=g: sign_at(g, name, exact(x), at), xs)
@@ -425,11 +433,11 @@ def _roots_between(f, xs):
     return found
 
 
-def _refuse_divergence(f, low, high, cuts, exact, a):
+def _refuse_divergence(f, close, low, high, cuts, exact, a):
     """Raise `Undefined` where the integrand grows like 1/x or faster, or does not fall so fast."""
     ten = Fraction(10)
 
-    def near(place, s):
+    def near(place, s, f=f):
         return lambda k: (f(place + s * ten**-k), ten**-k)
 
     def far(s):
@@ -440,7 +448,7 @@ def _refuse_divergence(f, low, high, cuts, exact, a):
         if a.mp.isinf(end):
             looks += [(far(-inward), (50, 500, 1000), 0.9), (far(-inward), (2, 4, 8), 1e10)]
         else:
-            looks.append((near(exact(end), inward), (10, 100, 900), 0.9))
+            looks.append((near(exact(end), inward, close), (10, 100, 900), 0.9))
     looks += [(near(exact(x), s), (5, 8, 11), 0.9) for x in cuts for s in (1, -1)]
     if any(_grows(look, ks, factor, a) for look, ks, factor in looks):
         raise Undefined("converges")
@@ -757,5 +765,8 @@ def magnitude(w, at):
 
 def magnitude_ok(w, limit=1e300):
     """Whether a number without symbols is of a size that one can work with."""
-    x = value(w, Point(lambda a: {}, None, Arithmetic(60), Budget(10**5)))
+    try:
+        x = value(w, Point(lambda a: {}, None, Arithmetic(60), Budget(10**5)))
+    except Imprecise:
+        x = value(w, Point(lambda a: {}, None, Arithmetic(900), Budget(10**5)))
     return all(e == 0 or 1e-300 < abs(as_float(e)) <= limit for e in flat(x))

@@ -14,7 +14,7 @@ from .searching import FAILURES, Root, Solved
 
 PLACES = {
     "wild": "very small and very large values",
-    "whole": "whole numbers one by one and up to 10**6",
+    "whole": "whole numbers one by one and up to {}",
     "break": "both sides of every place where a line bends or breaks",
     "zero": "zeros",
     "downhill": "downhill from the closest points",
@@ -23,7 +23,7 @@ PLACES = {
 
 def where(search):
     """Say of what was only sampled where it was tried."""
-    places = [words for place, words in PLACES.items() if place in search.places]
+    places = [w.format(search.largest) for place, w in PLACES.items() if place in search.places]
     tail = f", also at {', '.join(places)}" if places else ""
     return f"agrees at the points tried{tail} (not a proof)"
 
@@ -90,6 +90,9 @@ def number(x, digits=8):
         x = libmp.from_rational(x.numerator, x.denominator, 400)
     else:
         x = middle(x, 400)
+    _, _, exponent, bits = x
+    if exponent + bits > 40:  # no whole number that one writes; to write it out takes all memory
+        return sp.Float(libmp.to_str(x, digits), digits)
     for q in (1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 20, 24, 25, 50, 100):
         y = libmp.mpf_mul_int(x, q, 400)
         p = libmp.to_int(y, "n")

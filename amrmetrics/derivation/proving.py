@@ -18,9 +18,9 @@ from sympy.core.function import AppliedUndef
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from .algebra import same
-from .breaks import needs, nodes, show
+from .breaks import BENT, needs, nodes, show
 from .limits import bounded
-from .reading import is_inequality, is_matrix, renamed
+from .reading import is_claim, is_inequality, is_matrix, renamed
 
 MAX_TERMS = 6000
 ENDLESS = (sp.zoo, sp.nan, sp.oo, -sp.oo)
@@ -77,29 +77,7 @@ class Model:
                     facts["nonnegative"] = True
             swap[letter] = sp.Dummy(letter.name, **facts)
             limits.append((swap[letter], *ends))
-        body = w.function
-        if isinstance(w, sp.Integral) and len(limits) == 1 and isinstance(body, sp.Derivative):
-            whole = self._fundamental(body, swap, limits[0])
-            if whole is not None:
-                return whole
-        return w.func(self.evaluated(body).xreplace(swap), *limits[::-1])
-
-    def _fundamental(self, body, swap, limit):
-        """The integral of a derivative by its own variable is a difference of two limits."""
-        letter, low, high = limit
-        if [swap.get(v) for v in body.variables] != [letter]:
-            return None
-        e = self.evaluated(body.expr).xreplace(swap)
-        if not self.smooth(e, *limit):
-            return None
-
-        def end(x, side):
-            return sp.limit(e, letter, x, side) if x in (sp.oo, -sp.oo) else e.subs(letter, x)
-
-        finished, pair = bounded(lambda: (end(high, "-"), end(low, "+")), 0.6)
-        if not finished or any(p.has(*ENDLESS, sp.Limit, sp.AccumBounds) for p in pair):
-            return None
-        return pair[0] - pair[1]
+        return w.func(self.evaluated(w.function).xreplace(swap), *limits[::-1])
 
     def _inverse(self, w):
         if isinstance(w, sp.MatMul) and all(
@@ -128,6 +106,8 @@ class Model:
         """Whether the domains imply what a formula needs (see `breaks.needs`)."""
         if kind == "pair":
             return any(nonzero(e, self) for e in parts)
+        if kind == "differ":
+            return nonzero(parts[0] - parts[1], self)
         (e,) = parts
         if kind == "nonzero":
             return nonzero(e, self)
@@ -147,9 +127,7 @@ class Model:
         for node, bound in nodes(e):
             if letter not in node.free_symbols:
                 continue
-            if isinstance(
-                node, sp.Abs | sp.sign | sp.Max | sp.Min | sp.floor | sp.ceiling | sp.Piecewise
-            ):
+            if isinstance(node, BENT):
                 return False
             for kind, parts in needs(node):
                 if bound.keys() & set().union(*(p.free_symbols for p in parts)):
@@ -227,7 +205,8 @@ def conditions(lines, model):
     for w in lines:
         for node, bound in nodes(w):
             inside = nodes(node.expr) if isinstance(node, sp.Derivative) else []
-            for kind, parts in [*needs(node, model), *_kinks(inside)]:
+            ways = _ways({v: bound[v] for v in node.free_symbols & bound.keys()}, model)
+            for kind, parts in [*needs(node, model, ways), *_kinks(inside)]:
                 letters = set().union(*(p.free_symbols for p in parts))
                 scopes = {v: bound[v] for v in letters & bound.keys()}
                 if letters and all(s[0] in (sp.Sum, sp.Product) for s in scopes.values()):
@@ -242,21 +221,30 @@ def _implied_in_range(kind, parts, scopes, model):
     if model.sized and any(p.has(sp.MatrixSymbol) for p in parts):
         return all(isinstance(p, sp.Determinant) and _regular(p.args[0], model) for p in parts)
     parts = [model.evaluated(p) for p in parts]
+    return any(model.implied(kind, [p.subs(w) for p in parts]) for w in _ways(scopes, model))
+
+
+def _ways(scopes, model):
+    """Return what letters of sums and products are: counted from the lower or the upper end."""
     rising, falling = {}, {}
-    for letter, (_, low, high) in scopes.items():
-        steps = sp.Dummy(letter.name, integer=True, nonnegative=True)
-        rising[letter] = model.evaluated(low) + steps
-        falling[letter] = model.evaluated(high) - steps
-    ways = [rising, falling] if scopes else [{}]
-    return any(model.implied(kind, [p.subs(way) for p in parts]) for way in ways)
+    for letter, (kind, *ends) in scopes.items():
+        if kind in (sp.Sum, sp.Product):
+            steps = sp.Dummy(letter.name, integer=True, nonnegative=True)
+            rising[letter] = model.evaluated(ends[0]) + steps
+            if ends[1] != sp.oo:
+                falling[letter] = model.evaluated(ends[1]) - steps
+    return [rising, {**rising, **falling}] if rising else [{}]
 
 
 def _regular(w, model):
     """Whether a matrix of any size has an inverse by what it is made of."""
     if isinstance(w, sp.MatrixSymbol):
         return getattr(model.domains.get(w.name), "family", "") in ("spd", "chol", "rot")
-    made = isinstance(w, sp.MatMul | sp.Transpose | sp.Inverse)
-    return made and all(_regular(a, model) for a in w.args if is_matrix(a))
+    if not isinstance(w, sp.MatMul | sp.Transpose | sp.Inverse):
+        return False
+    return all(
+        _regular(a, model) if is_matrix(a) else nonzero(model.evaluated(a), model) for a in w.args
+    )
 
 
 def _kinks(inside):
@@ -264,8 +252,8 @@ def _kinks(inside):
         if isinstance(node, sp.Abs | sp.sign):
             yield "nonzero", node.args
         elif isinstance(node, sp.Max | sp.Min):
-            a, b = node.args[0], node.args[-1]
-            yield "differ", (a, b)
+            args = sorted(node.args, key=lambda a: a.is_number)  # x != 0, not 0 != x
+            yield from (("differ", pair) for pair in itertools.combinations(args, 2))
 
 
 def _words(kind, parts, bound):
@@ -414,7 +402,8 @@ def polynomial(e, model):
         return e
     e = reduced(e, model.circles)
     if e != 0:
-        e = sp.expand(sp.powsimp(sp.expand_power_base(e)))
+        e = sp.together(sp.expand(sp.powsimp(sp.expand_power_base(e))))
+        e = sp.expand(sp.fraction(e)[0])
     return e if e == 0 else _radicals(e, model.circles)
 
 
@@ -531,7 +520,7 @@ def proved(before, after, relation, model):
         return _equations(before, after, relation, model)
     if is_inequality(before) and is_inequality(after):
         return _inequalities(before, after, relation, model)
-    if isinstance(before, sp.Rel | sp.And | sp.Or):
+    if is_claim(before):
         return False
     if model.sized:
         return same(before, after, model)

@@ -62,11 +62,6 @@ def is_inequality(w):
     return isinstance(w, sp.Gt | sp.Ge | sp.Lt | sp.Le)
 
 
-def sides(w):
-    """Return the two sides of an equation or inequality."""
-    return w.args
-
-
 def read(line, kinds):
     """Return the written form of `line` (text or SymPy object), checked for size."""
     if isinstance(line, str):
@@ -81,13 +76,14 @@ def read(line, kinds):
 
 class _Reader:
     def __init__(self, kinds):
-        self.kinds, self.bound, self.depth = kinds, [], 0
+        self.kinds, self.bound, self.depth, self.text = kinds, [], 0, ""
 
     def line(self, text):
         if len(text) > MAX_TEXT:
             raise Unreadable(f"the line has {len(text)} characters; the limit is {MAX_TEXT}")
         try:
-            tree = ast.parse(text.strip().translate(UNICODE), mode="eval")
+            self.text = text.strip().translate(UNICODE)
+            tree = ast.parse(self.text, mode="eval")
         except (SyntaxError, ValueError, MemoryError, RecursionError, OverflowError) as error:
             raise Unreadable(_hint(text, error)) from None
         try:
@@ -124,9 +120,11 @@ class _Reader:
             return sp.true if node.value else sp.false
         if type(node.value) is int:
             return sp.Integer(node.value)
-        if type(node.value) is float and abs(node.value) < 1e300:
-            return sp.Rational(repr(node.value))
-        raise Unreadable(f"{str(node.value)[:30]!r} is not a number")
+        digits = ast.get_source_segment(self.text, node)  # all that were written
+        lost = node.value == 0 and re.search("[1-9]", digits.lower().split("e")[0])
+        if type(node.value) is float and abs(node.value) < 1e300 and not lost:
+            return sp.Rational(digits)
+        raise Unreadable(f"{digits[:30]!r} is not a number that one can work with")
 
     def _Name(self, node):
         name, kind = node.id, self.kinds.get(node.id)
@@ -499,6 +497,8 @@ def _hint(text, error):
         (r"^\s*$", "the line is empty"),
         (r"\blambda\b", "lambda is a reserved word: call it lam"),
         (r"(?<![\w.])\d+(\.\d+)?(?![eE][+-]?\d)[A-Za-z_]", "a product needs its sign: 2*x, not 2x"),
+        (r"\|", "the absolute value of x is written Abs(x)"),
+        (r"[\w)]!(?!=)", "the factorial of n is written factorial(n)"),
         (r"(?<![=<>!])=(?!=)", "write an equation as left == right, or Eq(left, right)"),
     ):
         if re.search(pattern, text):

@@ -4,14 +4,14 @@ import contextlib
 import random
 import time
 from fractions import Fraction
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import sympy as sp
 from mpmath import libmp
 from sympy.core.function import AppliedUndef
 
-from .arithmetic import Arithmetic, Imprecise, Undefined, Unreliable, as_float, sign
-from .breaks import breaks, minus
+from .arithmetic import Arithmetic, Imprecise, Undefined, Unreliable, as_float, fraction, sign
+from .breaks import bends, breaks, minus, nodes
 from .domains import ANGLES, LARGE, Index, NoRoom, Sized, exact, rational
 from .evaluating import (
     BENT,
@@ -45,13 +45,14 @@ class Root:
 
     def __init__(self, g, name, low, high):
         self.g, self.name, self.low, self.high = g, name, low, high
+        self.start = low
 
     def at(self, point):
         """Return a narrow interval in which `g` changes its sign."""
         a = point.arithmetic
 
         def f(x):
-            return a.number(value(self.g, point.bind(self.name, _exact(x))))
+            return a.number(value(self.g, point.bind(self.name, fraction(x))))
 
         ends = [a.number(x) for x in (self.low, self.high)]
         try:
@@ -60,15 +61,11 @@ class Root:
             raise Unreliable("a root that cannot be refined") from None
         radius = (abs(x) + a.mp.mpf(10) ** -9) * a.mp.mpf(2) ** (-2 * a.prec // 3)
         signs = [
-            sign(value(self.g, point.bind(self.name, _exact(x + s * radius)))) for s in (1, -1)
+            sign(value(self.g, point.bind(self.name, fraction(x + s * radius)))) for s in (1, -1)
         ]
         if not (signs[0] and signs[1]) or signs[0] == signs[1]:
             raise Unreliable("a root without a change of sign")
         return a.around(x, radius)
-
-    @property
-    def start(self):
-        return self.low
 
 
 class Solved:
@@ -133,12 +130,12 @@ class Search:
         nested = nested or any(len(x.limits) > 1 for w in self.lines for x in w.atoms(sp.Integral))
         self.budget, self.bits = Budget(500_000 if nested else 200_000), 14 if nested else 24
         self.end = time.monotonic() + 5.5  # only a slow machine meets it before the budget
-        self.points, self.enlarged, self.undefined = 0, 0, 0
+        self.points, self.enlarged = 0, 0
         self.found = None
         self.suspect = False  # a difference was seen that a second look has not settled
         self.closest = []  # (relative margin, values) of an inequality
-        self.places = set()
-        self.known, self.arithmetics = {}, {}
+        self.places, self.largest = set(), 0
+        self.known, self.arithmetics, self.solved = {}, {}, {}
 
     # ---- points ------------------------------------------------------------------------------
 
@@ -205,7 +202,7 @@ class Search:
 
     def everywhere(self):
         """Yield (kind of place, values) from the plain to the remote."""
-        styles = ["small", "fraction", "near"] * 3 if self.rough else STYLES
+        styles = ["small", "fraction", "near"] * 3 + ["edge"] if self.rough else STYLES
         if is_claim(self.after) and self.before is not None:  # each is solved for its unknowns, too
             styles = STYLES[:11:2] + STYLES[15::2]
         if not self.domains:
@@ -244,23 +241,31 @@ class Search:
     def _zeros(self):
         alone = {n: d for n, d in self.domains.items() if n not in self.dependent}
         free = [n for n, d in alone.items() if d.real and d.contains(0)]
-        for k, chosen in enumerate([free, *([n] for n in free[:5])] if free else []):
+        some = [free, *([n] for n in free[:5]), *combinations(free[:5], 2)] if free else []
+        for k, chosen in enumerate(some):
             values = self._drawn(200 + k, "fraction")
             if values:
                 yield "zero", {**values, **dict.fromkeys(chosen, Fraction(0))}
 
     def _whole_numbers(self):
         names = [n for n, d in self.domains.items() if d.whole and d.low.is_number]
+        names = [n for n in names if self.domains[n].low != -sp.oo]
+        for one, other in pairwise(names[:3]):  # all pairs of small ones
+            for k in range(64):
+                values = self._drawn(450 + k % 2, "fraction")
+                small = {n: self.domains[n].low + j for n, j in ((one, k // 8), (other, k % 8))}
+                if values and all(self.domains[n].contains(x, values) for n, x in small.items()):
+                    yield "whole", {**values, **{n: Fraction(int(x)) for n, x in small.items()}}
         for name in names[:3]:
             low = self.domains[name].low
-            if low == -sp.oo:
-                continue
             stepped = any(w.has(sp.Mod, sp.floor, sp.ceiling) for w in self.lines)
             alone = len(self.domains) == 1 and not self.sizes
             count = 4 if self.rough else 24 if not alone else 4000 if stepped else 1000
             near = [int(low) + k for k in range(count)]
-
             far = [] if self.rough or name in self.sizes else [k for k in LARGE if k >= low]
+            bare = not any(w.has(sp.Indexed) for w in self.lines)
+            if bare and self.before is None and self.sizes == {name}:  # about sums that grow
+                far = [100, 1000, 10_000]
             for k, n in enumerate(near + far):
                 values = self._drawn(400 + k % 6, "fraction")
                 if values and self.domains[name].contains(n, values):
@@ -269,28 +274,56 @@ class Search:
     def _at_breaks(self, lines):
         """Points on, and on both sides of, every place where something can happen."""
         formulas = list(dict.fromkeys(g for w in lines for g in breaks(w)))[:12]
-        for k, g in enumerate(formulas):
-            for name in sorted(names_in(g) & self.domains.keys()):
-                if not self.domains[name].real:
-                    continue
-                for style in ("small", "fraction"):
-                    values = self._drawn(500 + k, style)
-                    if values is None or self.expired():
-                        return
-                    yield from (("break", p) for p in self._around(g, name, values))
+        for k, (name, domain) in enumerate(self.domains.items()):
+            if not (domain.real or domain.whole):
+                continue
+            here = [g for g in formulas if name in names_in(g)]
+            styles = ["small", *["wild"] * 4] if domain.whole else ["small", "fraction"]
+            for again, style in enumerate(styles if here else ()):
+                values = self._drawn(500 + k + 20 * again, style)
+                if values is None or self.expired():
+                    return
+                places = [r for g in here for r in self.roots(g, name, values)]
+                yield from (("break", p) for p in self._beside(places, name, values))
+        if not self.rough:
+            yield from (("break", p) for p in self._beyond(lines))
 
-    def _around(self, g, name, values):
-        for r in self.roots(g, name, values):
-            yield {**values, name: r}
-            x = r.low if isinstance(r, Root) else exact(sp.Rational(str(sp.N(r, 12))))
+    def _beside(self, places, name, values):
+        """Points at some places of one name, next to each of them and between each two."""
+        domain, near = self.domains[name], []
+        for r in places:
+            x = r.low if isinstance(r, Root) else exact(sp.Rational(str(_decimal(r, 12))))
             x = x if isinstance(x, Fraction) else Fraction(as_float(x))
-            near = [x * Fraction(k, 1000) for k in (500, 999, 1001, 1500)]
-            near += [x + Fraction(k, 7) for k in (-1, 1)]
-            ends = [getattr(self.domains[name], e) for e in ("low", "high")]
-            near += [(x + rational(e)) / 2 for e in ends if e.is_number and e.is_finite]
-            for y in near:
-                if self.domains[name].contains(sp.Rational(y), values):
-                    yield {**values, name: y}
+            near.append(x)
+            if not domain.whole:
+                yield {**values, name: r}
+        if domain.whole:
+            around = [Fraction(x.numerator // x.denominator + k) for x in near for k in (0, 1)]
+        else:
+            around = [(x + y) / 2 for x, y in pairwise(sorted(near))]
+            around += [x * Fraction(k, 1000) for x in near for k in (500, 999, 1001, 1500)]
+            around += [x + Fraction(k, 7) for x in near for k in (-1, 1)]
+            ends = [e for e in (domain.low, domain.high) if e.is_number and e.is_finite]
+            around += [(x + rational(e)) / 2 for x in near for e in ends]
+        for y in dict.fromkeys(around):
+            if domain.contains(sp.Rational(y), values):
+                yield {**values, name: y}
+
+    def _beyond(self, lines):
+        """Points on the side of a bend that chance has not met: downhill to where it begins."""
+        names = [n for n, d in self.domains.items() if d.real]
+        formulas = dict.fromkeys(
+            g for w in lines for node, bound in nodes(w) if not bound for g in bends(node)
+        )
+        for g in list(formulas)[:6] if names else ():
+            starts = [self._drawn(800 + k, s) for k, s in enumerate(("small", "fraction") * 3)]
+            heights = [(self._height(g, v), k) for k, v in enumerate(starts) if v]
+            heights = [(h, k) for h, k in heights if abs(h) < float("inf")]
+            if not heights or len({h > 0 for h, _ in heights}) > 1:
+                continue
+            s = 1 if heights[0][0] > 0 else -1
+            for _, k in sorted((s * h, k) for h, k in heights)[:2]:
+                yield self._walk(starts[k], names, lambda v, g=g, s=s: s * self._height(g, v))
 
     # ---- roots -------------------------------------------------------------------------------
 
@@ -299,6 +332,8 @@ class Search:
         domain = self.domains[name]
         others = {n: v for n, v in values.items() if n != name}
         known = exact_roots(g, name, others)
+        if domain.whole:  # a whole number next to a zero that is not whole
+            return [exact(r) for r in known or []][:6]
         if known is not None:
             return [exact(r) for r in known if domain.contains(r, values)][:6]
         try:
@@ -312,9 +347,10 @@ class Search:
         xs = self._places(g, domain, values)
         slope = None if g.has(*BENT, *SCOPES) else g.diff(sp.Symbol(name))
         turns = _crossings(slope, name, xs, at) if slope and not slope.has(sp.Derivative) else []
-        found = _crossings(g, name, sorted({*xs, *map(_start, turns)}), at)
+        starts = [getattr(r, "start", r) for r in turns]
+        found = _crossings(g, name, sorted({*xs, *starts}), at)
         found += [r for r in turns if _touches(g, name, r, at)]
-        return sorted(found, key=lambda r: abs(_start(r)))
+        return sorted(found, key=lambda r: abs(getattr(r, "start", r)))
 
     def _places(self, g, domain, values):
         """Return where to look for changes of sign: near, far, and close together for waves."""
@@ -343,7 +379,6 @@ class Search:
             except FAILURES:
                 return False
             except Undefined:
-                self.undefined += 1
                 return False
             once = outcome == "wrong" and self.rough and prec == PRECISIONS[0] and self.domains
             if outcome is not None and not once:
@@ -354,6 +389,9 @@ class Search:
         if outcome == "holds":
             self.points += 1
             self.places.add(place)
+            if place == "whole":
+                tried = [int(values[n]) for n, d in self.domains.items() if d.whole]
+                self.largest = max(self.largest, *tried)
             self.suspect = False if self.rough else self.suspect
         elif outcome == "enlarged":
             self.enlarged += place in ("small", "fraction")
@@ -384,7 +422,7 @@ class Search:
         if isinstance(b, Undefined):
             return ("undefined" if b.kind in SOFT else "wrong"), ("shrunk", a, b)
         if isinstance(a, Undefined):
-            if a.kind == "converges":
+            if a.kind in ("converges", "limit"):
                 return "wrong", ("diverges", a, b)
             return ("enlarged" if a.kind in HALF else "undefined"), sides
         bits = self.bits if self.rough else at.arithmetic.prec // 2
@@ -450,6 +488,7 @@ class Search:
             if self.wrong_at(values, place):
                 return True
         if most is None and self.before is None and is_inequality(self.after) and not self.rough:
+            self.budget.left = max(self.budget.left, 40_000)  # long sums leave nothing
             return self._downhill()
         return False
 
@@ -458,12 +497,15 @@ class Search:
             yield from self.everywhere()
             return
         names = self._unknowns()
+        systems = [eqs for w in self.lines for eqs in _systems(w)]
         for place, values in self.everywhere():
             yield place, values
             if values is None or place in ("whole", "break", "zero"):
                 continue
-            for name in names:
+            for name in names[:2]:
                 yield from ((place, p) for p in self._solutions(name, values))
+            for eqs in systems:
+                yield from ((place, p) for p in self._common(eqs, names, values))
 
     def _unknowns(self):
         """Return the names to solve for: the one given, or what stands alone, then the others."""
@@ -476,7 +518,27 @@ class Search:
             n
             for n in dict.fromkeys(names)
             if n in self.domains and self.domains[n].kind == "number"
-        ][:2]
+        ]
+
+    def _common(self, equations, names, values):
+        """Yield the common solutions of several equations in as many names, if SymPy has them."""
+        used = set().union(*map(names_in, equations))
+        chosen = [n for n in names if n in used and self.domains[n].real][: len(equations)]
+        others = {n: values[n] for n in used & values.keys() - {*chosen}}
+        system = str((equations, others))
+
+        def solve():
+            gaps = [_substituted(minus(*e.args), others) for e in equations]
+            if None in gaps:
+                return []
+            return sp.solve(gaps, [sp.Symbol(n) for n in chosen], dict=True)
+
+        if system not in self.solved:
+            self.solved[system] = bounded(solve, 0.5)[1] or []
+        for solution in self.solved[system]:
+            found = {s.name: x for s, x in solution.items()}
+            if all(x.is_real and self.domains[n].contains(x, values) for n, x in found.items()):
+                yield {**values, **{n: exact(x) for n, x in found.items()}}
 
     def _solutions(self, name, values):
         domain = self.domains.get(name)
@@ -496,11 +558,12 @@ class Search:
             if w.func in (sp.Eq, sp.Ne):
                 yield from ({**values, name: r} for r in self.roots(g, name, values))
             else:
-                yield from self._around(g, name, values)
+                yield from self._beside(self.roots(g, name, values), name, values)
 
     def _downhill(self):
         """Walk from where an inequality is closest to failing to where it fails."""
         names = [n for n, d in self.domains.items() if d.real]
+        gap = minus(self.after.gts, self.after.lts)
         for values in self._stationary(names):
             if self.wrong_at(values, "downhill"):
                 return True
@@ -509,7 +572,7 @@ class Search:
         for start in starts if names else []:
             if start is None or any(isinstance(v, Root | Solved) for v in start.values()):
                 continue
-            values = self._walk(start, names)
+            values = self._walk(start, names, lambda v: self._height(gap, v))
             for size in (1, 2, 12, 100, 10**9):
                 plain = {n: v.limit_denominator(size) for n, v in values.items() if n in names}
                 inside = all(
@@ -519,7 +582,8 @@ class Search:
                     return True
             if self.wrong_at(values, "downhill"):
                 return True
-        self.places.add("downhill")
+        if not self.expired():
+            self.places.add("downhill")
         return False
 
     def _stationary(self, names):
@@ -535,14 +599,13 @@ class Search:
                 if self.domains[name].contains(r, values):
                     yield {**values, name: exact(r)}
 
-    def _walk(self, start, names, rounds=14):
+    def _walk(self, start, names, height, rounds=14):
+        """Return the point to which one leads that goes down, one name after another."""
         ts = dict.fromkeys(names, Fraction(0))
         for n in names:
             ts[n] = _shrunk(self.domains[n], start[n], start)
         here = self._stretched(start, ts)
-        scale = self._margin(here, 1.0)
-        scale = abs(scale) if 0 < abs(scale) < float("inf") else 1.0
-        best, step = self._margin(here, scale), Fraction(1, 4)
+        best, step = height(here), Fraction(1, 4)
         for _ in range(3 * rounds):
             better = False
             for n in names:
@@ -552,9 +615,9 @@ class Search:
                         -Fraction(10**9 - 1, 10**9),
                     )
                     moved = self._stretched(start, {**ts, n: t})
-                    height = self._margin(moved, scale)
-                    if height < best:
-                        best, here, better = height, moved, True
+                    h = height(moved)
+                    if h < best:
+                        best, here, better = h, moved, True
                         ts[n] = t
             if best < 0 or self.expired():
                 break
@@ -571,11 +634,9 @@ class Search:
             values[n] = self.domains[n].stretch(t, values)
         return values
 
-    def _margin(self, values, scale):
+    def _height(self, g, values):
         try:
-            at = self.point(values, 90)
-            left, right = (value(x, at) for x in (self.after.gts, self.after.lts))
-            return as_float(at.arithmetic.subtract(left, right)) / scale
+            return as_float(value(g, self.point(values, 90)))
         except (Undefined, *FAILURES):
             return float("inf")
 
@@ -592,10 +653,6 @@ def _turned(w, name, at):
     turns = [s * round(as_float(d) / as_float(turn)) for d in apart for s in (1, -1)]
     for k in dict.fromkeys((*turns, -1, 1, -2, 2)):
         yield at.bind(name, a.add([at.values[name], a.multiply([Fraction(k), turn])]))
-
-
-def _exact(x):
-    return Fraction(*map(int, libmp.to_rational(x._mpf_)))
 
 
 def _shrunk(domain, x, values, rounds=40):
@@ -632,7 +689,7 @@ def _crossings(g, name, xs, at):
             found.append(x)
         elif s and t and s != t:
             with contextlib.suppress(Undefined, *FAILURES):  # a pole changes the sign, too
-                ends = [_exact(at.arithmetic.mp.make_mpf(e)) for e in Root(g, name, x, y).at(at)]
+                ends = [fraction(at.arithmetic.mp.make_mpf(e)) for e in Root(g, name, x, y).at(at)]
                 steep = abs(as_float(value(g, at.bind(name, ends[0]))))
                 if steep < 1e-9 * (1 + max(abs(as_float(h)), abs(as_float(k)))):
                     found.append(Root(g, name, *ends))
@@ -649,10 +706,6 @@ def _touches(g, name, root, at):
     return not sign(h) and abs(as_float(h)) < 1e-15
 
 
-def _start(root):
-    return root.low if isinstance(root, Root) else root
-
-
 def number(v, a):
     """Return a drawn value as a number of the arithmetic `a`."""
     if isinstance(v, Fraction | tuple | sp.Lambda):
@@ -661,10 +714,15 @@ def number(v, a):
         return [[number(x, a) for x in row] for row in v]
     if v.is_Rational:
         return exact(v)
-    x = sp.N(v, int(a.prec * 0.31) + 10)._mpf_
+    x = _decimal(v, int(a.prec * 0.31) + 10)._mpf_
     return libmp.mpf_sub(x, _ulp(x, a), a.prec + 20, "f"), libmp.mpf_add(
         x, _ulp(x, a), a.prec + 20, "c"
     )
+
+
+def _decimal(x, digits):
+    """Return a real number in digits, without the imaginary part that SymPy may leave of it."""
+    return sp.re(sp.N(x, digits))
 
 
 def _ulp(x, a):
@@ -708,6 +766,16 @@ def atoms_of(w):
     return [w] if isinstance(w, sp.Rel) else []
 
 
+def _systems(w):
+    """Return the equations between numbers that a line joins by And, for each And."""
+    parts = [
+        [e for e in x.args if isinstance(e, sp.Eq) and not is_matrix(e.lhs)]
+        for x in sp.preorder_traversal(w)
+        if isinstance(x, sp.And)
+    ]
+    return [equations for equations in parts if len(equations) > 1]
+
+
 def _substituted(g, values):
     """Return `g` with exact numbers for the symbols, or None where it has more than that."""
     if g.has(
@@ -735,6 +803,8 @@ def _substituted(g, values):
 
 def exact_roots(g, name, values):
     """Return the real roots of `g` in `name` if it is a rational function of it, else None."""
+    if any(name in names_in(f) for f in g.atoms(sp.Function)):
+        return None
 
     def solve():
         e = _substituted(g, values)

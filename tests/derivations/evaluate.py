@@ -26,7 +26,7 @@ from amrmetrics.derivation import check_step, reading  # noqa: E402
 from amrmetrics.derivation.checking import Step  # noqa: E402
 
 CLAIM = re.compile(r"(Eq|Gt|Ge|Lt|Le|Or|And)\(|.*(==|<|>)")
-CORPORA = ["public", "public_2", "own", "own_2", "own_3"]
+CORPORA = ["public", "public_2", "own", "own_2", "own_3", "own_4"]
 
 
 def load(name):
