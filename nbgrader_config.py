@@ -1,5 +1,13 @@
 """nbgrader: solutions/ is the source, exercises/ the release, everything else lives in build/."""
 
+import os
+import sys
+from pathlib import Path
+
+# nbgrader makes no folder for its database, and calls a program that stands beside this Python.
+Path(__file__).with_name("build").mkdir(exist_ok=True)
+os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+
 c = get_config()  # noqa: F821  (nbgrader puts it there)
 
 c.CourseDirectory.course_id = "amrmetrics"

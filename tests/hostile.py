@@ -204,7 +204,7 @@ while True:
 """
 DEAF = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\nwhile True:\n    pass"
 DAEMON = "import os, time\nif os.fork() == 0:\n    os.setsid()\n    time.sleep(999)"
-GROW = "grown = []\nwhile True:\n    grown.append(bytearray(10_000_000))"
+GROW = "grown = []\nwhile True:\n    grown.append(bytes(10_000_000))"
 FILL = "for k in range(10**6):\n    open(f'f{k}', 'wb').write(bytes(10**6))"
 
 
@@ -260,12 +260,82 @@ def processes():
     yield kind("magics and plots", with_scratch(magic), FULL, quick=True)
     names = "p = q = np = am = check = cloud = library = display = list = len = None"
     yield kind("names redefined", with_scratch(names, "part-f"), FULL - 3)
+    yield kind("names taken", in_front("part-b", "del am, display\nnp = p_hat = None"), FULL)
+    busy = "import threading\ndef spin():\n    while True: pass\n"
+    busy += "threading.Thread(target=spin, daemon=True).start()"
+    yield kind("a thread left running", with_scratch(busy), FULL)
+    yield kind("signals ignored", with_scratch(SIGNALS), FULL, says="signals", quick=True)
+    closed = "import sys\nsys.stdout.close()\nsys.stderr.close()\nsys.stdin.close()"
+    yield kind("stdout closed", with_scratch(closed), FULL, quick=True)
+    yield kind(
+        "file descriptors closed",
+        with_scratch("import os\nos.closerange(0, 99)"),
+        FULL,
+    )
+    yield kind("no recursion left", with_scratch("import sys\nsys.setrecursionlimit(70)"), FULL)
+    yield kind("traced", with_scratch(TRACED), FULL)
+    yield kind("files removed", with_scratch("import os, shutil\nshutil.rmtree(os.getcwd())"), FULL)
+    evil = "class Evil(BaseException): pass\nraise Evil"
+    yield kind("strange exception", with_scratch(evil), FULL)
+    evil = with_start("raise type('Evil', (BaseException,), {})")
+    yield kind("function with it", solved(answers={"part-d": evil}), FULL - 4, quick=True)
+    lazy = {"part-a": "theta_deg = (x for x in [126.87])\nt_star = J_min = map(float, '24')"}
+    yield kind("generators", solved(answers=lazy), FULL - 2)
+    itself = {"part-a": "theta_deg = []\ntheta_deg.append(theta_deg)\nt_star = J_min = theta_deg"}
+    yield kind("contains itself", solved(answers=itself), FULL - 2)
+    for name, source in ODD.items():
+        yield kind(f"odd value: {name}", solved(answers={"part-a": source}), FULL - 2)
+    lying = {"part-a": LYING}
+    yield kind("hostile methods", solved(answers=lying), FULL - 2, quick=True)
     large = {"part-a": "theta_deg = 10 ** 10 ** 6\nt_star = [0] * 10**7\nJ_min = 'x' * 10**8"}
     yield kind("huge answers", solved(answers=large), FULL - 2, ("part-a",), "part-a")
     deep = {"part-a": "theta_deg = []\nfor _ in range(10**5):\n    theta_deg = [theta_deg]"}
     yield kind("nested answer", solved(answers=deep), FULL - 2)
 
 
+SIGNALS = """
+import signal
+for number in range(1, 65):
+    try:
+        signal.signal(number, lambda *_: None)
+    except (OSError, ValueError):
+        pass
+"""
+TRACED = """
+import sys, threading
+def trace(frame, event, argument):
+    return trace
+sys.settrace(trace)
+threading.settrace(trace)
+"""
+ODD = {
+    name: f"theta_deg = {value}\nt_star = {value}\nJ_min = {value}"
+    for name, value in {
+        "dict": "{'a': 1}",
+        "type": "dict",
+        "module": "np",
+        "nested": "[[1, 2], [3]]",
+        "table": "np.zeros(3, dtype='i,f')",
+        "date": "np.datetime64('2026-11-26')",
+        "objects": "np.array([None, {}, 1j], dtype=object)",
+        "empty": "[]",
+        "SymPy": "__import__('sympy').Symbol('x')",
+        "bytes": "b'126.87'",
+    }.items()
+}
+LYING = """
+class Lying:
+    __class__ = property(lambda self: np.ndarray)
+    def __len__(self): return 10**18
+    def __array__(self, *a, **k): raise SystemExit
+    def __eq__(self, other): raise KeyboardInterrupt
+    def __hash__(self): raise GeneratorExit
+    def __iter__(self):
+        while True: yield 1
+    def __repr__(self): raise SystemExit
+    __float__ = __getattr__ = __bool__ = __array__
+theta_deg = t_star = J_min = Lying()
+"""
 LAMBDAS = """
 for name in list(vars(check)):
     if callable(getattr(check, name)):
@@ -423,6 +493,73 @@ if found:
 """
 
 
+PART = """
+def part(namespace):
+    return lambda body: None
+check.part = part
+check.keep = check.restore = check._renewed = check._harmless = lambda *a, **k: {}
+globals()[getattr(check, "GIVEN", "__given__")] = {}, {}
+"""
+GIVEN = """
+fine = lambda *a, **k: None
+name = getattr(check, "GIVEN", "__given__")
+made, kept = globals().get(name, ({}, {}))
+for space in (made, kept):
+    space.update(check=None, cloud=fine, library=lambda p, q: (0.0, (0, 0)))
+globals()[name] = made, kept
+if hasattr(check, "keep"):
+    check.keep(globals(), "library check fine")
+"""
+PROGRESS = """
+import json, os, pathlib
+held = {"holds": True, "opened": True, "tries": []}
+for place in (".", "..", "../..", "../my_work", "/tmp"):
+    try:
+        path = pathlib.Path(place, "progress.json")
+        path.write_text(json.dumps({"02_alignment": {part: held for part in "abcdef"}}))
+    except OSError:
+        pass
+os.makedirs("my_work/02_alignment", exist_ok=True)
+os.chdir("my_work/02_alignment")
+check.model_answer("d")
+"""
+ATTRIBUTES = """
+def align_2d(reference, estimate):
+    return 0.0, np.zeros(2)
+align_2d.__answer__ = align_2d.__name__ = "library"
+align_2d.__wrapped__ = am.align
+align_2d.__code__ = align_2d.__code__.replace(co_name="library")
+align_2d.__eq__ = align_2d._wire = 0
+"""
+OTHERS = """
+import glob, json
+for path in glob.glob("/tmp/**/*.ipynb", recursive=True) + glob.glob("../../**/*.ipynb"):
+    for cell in json.load(open(path))["cells"]:
+        exec("".join(cell["source"]))
+"""
+NUMPY = """
+for name in ("allclose", "isclose", "array_equal", "asarray", "abs", "max", "isfinite", "shape"):
+    setattr(np, name, lambda *a, **k: True)
+np.float64 = float
+import builtins
+builtins.isinstance = builtins.callable = lambda *a: True
+builtins.abs = lambda x: 0.0
+"""
+WIRE = """
+import grading.wire, sys
+grading.wire.Writer.__call__ = lambda self, x, depth=0: 126.87
+grading.wire.same = lambda a, b: True
+sys.modules["grading.checker"] = sys.modules["grading.wire"]
+"""
+PICKLE = """
+import os
+class Boom:
+    def __reduce__(self): return os._exit, (0,)
+    def __call__(self, *a): return Boom()
+theta_deg = t_star = J_min = lines_t = lines_theta = align_2d = catches_reflection = Boom()
+"""
+
+
 def tricks():
     def kind(name, made, points=0, *rest, **more):
         return Kind(name, text_of(made).encode(), points, *rest, **more)
@@ -433,7 +570,7 @@ def tricks():
     yield kind("solution read first", tricked(SOLUTION), quick=True)
     yield kind("input transformer", tricked(TRANSFORM), says="machinery", quick=True)
     yield kind("run_cell replaced", tricked(RUN_CELL), says="machinery", quick=True)
-    yield kind("gradebook", tricked(BOOK), quick=True)
+    yield kind("gradebook", tricked(BOOK))
     returns = (
         "return am.align(reference, estimate).angle, am.align(reference, estimate).translation"
     )
@@ -457,7 +594,7 @@ def tricks():
     yield kind("memory searched", tricked(MEMORY, after="part-a"), says="interpreter", quick=True)
     yield kind("objects that pretend", tricked(PRETEND, after="part-f"), quick=True)
     each = {part: PRETEND for part in POINTS}
-    yield kind("pretend in each", tricked("", each), 0, ("part-c",), quick=True)
+    yield kind("pretend in each", tricked("", each), quick=True)
     simple = "def library(p, q):\n    return 0.0, np.zeros(2)\n"
     zeros = align("return library(reference, estimate)")
     yield kind("setup redefined", tricked(simple, zeros), quick=True)
@@ -468,3 +605,13 @@ def tricks():
     yield kind("looks around", tricked(AROUND, after="part-a"), quick=True)
     yield kind("overwrites", tricked(OVERWRITE), says="files that it writes", quick=True)
     yield kind("untouched, after overwriting", tricked(""), quick=True)
+    yield kind("part replaced", tricked(PART), says="machinery of checks", quick=True)
+    yield kind("part replaced, and answers", with_scratch(PART), FULL)
+    yield kind("kept names patched", tricked(GIVEN, zeros), quick=True)
+    yield kind("kept names patched, and answers", with_scratch(GIVEN, "check-a"), FULL, quick=True)
+    yield kind("progress written", tricked(PROGRESS), says="files that it writes", quick=True)
+    yield kind("attributes of a function", tricked(ATTRIBUTES, after="part-d"), quick=True)
+    yield kind("another student's file", tricked(OTHERS), says="code made from text")
+    yield kind("NumPy patched", tricked(NUMPY, zeros), says="np.", quick=True)
+    yield kind("the line's own code", tricked(WIRE, after="part-a"))
+    yield kind("pickles that run", tricked(PICKLE, after="part-f"))

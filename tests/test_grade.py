@@ -1,17 +1,24 @@
 """Grading gives each submission what it is worth, whatever it does, and nobody else's mark."""
 
+import contextlib
+import copy
 import csv
 import io
+import json
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
+import time
 import zipfile
+from pathlib import Path
 
 import grade
 import hostile
 import pytest
-from exercise import ROOT
-from grading import collecting, isolation, notebooks, pages, wire
+from exercise import ROOT, ProblemSet, grade_id
+from grading import checker, collecting, isolation, material, notebooks, pages, wire
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="grading needs fork")
 
@@ -26,7 +33,7 @@ def graded(folder, kinds, jobs=2):
         file.parent.mkdir(parents=True)
         file.write_bytes(kind.data)
     command = [sys.executable, ROOT / "tools" / "grade.py", folder / "in"]
-    options = ["--out", folder / "out", "--jobs", str(jobs), "--cell-seconds", "6"]
+    options = ["--out", folder / "out", "--jobs", str(jobs), "--cell-seconds", "3"]
     done = subprocess.Popen(
         [*command, *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
@@ -65,6 +72,25 @@ def test_gets_what_it_is_worth_and_the_event_is_told(kind, graded_class, chosen)
     assert kind.says in " ".join(row.values()), row
 
 
+def test_official_answers_get_all_marks_in_every_set(tmp_path, request):
+    if not request.config.getoption("--sweep"):
+        pytest.skip("with --sweep")
+    for path in sorted((ROOT / "solutions").glob("*/*.ipynb")):
+        problem_set = ProblemSet(path.stem)
+        made = copy.deepcopy(problem_set.exercise)
+        for cell in made.cells:
+            cell.source = problem_set.official.get(grade_id(cell), cell.source)
+        folder = tmp_path / "in" / f"student of {path.stem}" / path.stem
+        folder.mkdir(parents=True)
+        (folder / path.name).write_text(json.dumps(made), encoding="utf-8")
+    command = [sys.executable, ROOT / "tools" / "grade.py", tmp_path / "in"]
+    subprocess.run([*command, "--out", tmp_path / "out"], check=True, timeout=1500)
+    for name, row in rows_in(tmp_path / "out").items():
+        known = material.load(ROOT, name.removeprefix("student of "))
+        marks = {p.name: float(row[p.name]) for p in known.parts.values() if not p.by_hand}
+        assert marks == {p.name: p.points for p in known.parts.values() if not p.by_hand}, row
+
+
 def test_says_how_well_submissions_are_isolated(graded_class):
     said = graded_class[2]
     assert any(level in said for level in isolation.LEVELS.values())
@@ -92,20 +118,262 @@ def test_feedback_shows_no_hidden_test_and_loads_nothing(graded_class):
         assert "http" not in text.replace("http-equiv", "").replace("http://www.w3.org", "")
 
 
-def test_goes_on_after_it_was_stopped_and_takes_marks_for_prose(graded_class, chosen):
+def test_goes_on_after_it_was_killed_and_takes_marks_for_prose(graded_class, chosen, tmp_path):
     folder, before, _, _ = graded_class
     out = folder / "out"
     (out / "records" / "s000" / "02_alignment.json").unlink()
     marks = 'student,set,part,points,comment\ns000,02_alignment,prose-g,"1,5",Why a half?\n'
     (out / "prose.csv").write_text(marks, encoding="utf-8")
     command = [sys.executable, ROOT / "tools" / "grade.py", folder / "in", "--out", out]
-    subprocess.run(command, check=True, capture_output=True, timeout=600)
+    environment = dict(os.environ, TMPDIR=str(tmp_path))
+    killed = subprocess.Popen(command, stdout=subprocess.PIPE, env=environment)
+    assert killed.stdout.readline().startswith(b"Each submission runs with")
+    killed.kill()
+    killed.communicate()
+    (left,) = tmp_path.iterdir()
+    end = time.monotonic() + 60
+    while any(str(left) in said for said in command_lines()):
+        assert time.monotonic() < end, "what a killed run has started goes on running"
+        time.sleep(0.2)
+
+    said = in_a_terminal([*command, "--jobs", "1"], environment)
+    assert f"\r{len(chosen)} of {len(chosen)} submissions, " in said
+    assert not list(tmp_path.iterdir())
     after = rows_in(out)
     assert after["s000"]["prose-g"] == "1.5"
     assert after["s000"]["state"] == "complete"
     for k, kind in enumerate(chosen[1:], 1):
         assert after[f"s{k:03d}"]["points"] == before[kind.name]["points"]
     assert "Why a half?" in (out / "feedback" / "s000" / "02_alignment.html").read_text()
+
+
+def command_lines():
+    for path in Path("/proc").glob("[0-9]*/environ"):
+        try:
+            yield path.read_text(errors="replace")
+        except OSError:
+            continue
+
+
+def in_a_terminal(command, environment):
+    """Run a command whose standard error is a terminal, and return what it writes there."""
+    master, slave = os.openpty()
+    started = subprocess.Popen(command, stderr=slave, stdout=subprocess.DEVNULL, env=environment)
+    os.close(slave)
+    said = b""
+    with contextlib.suppress(OSError):  # Linux's word for the end
+        while part := os.read(master, 1 << 12):
+            said += part
+    os.close(master)
+    assert started.wait(60) == 0, said
+    return said.decode()
+
+
+def test_removes_what_killed_runs_have_left_and_nothing_else(tmp_path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    for name in ("grading-dead", "grading-other"):
+        (tmp_path / name / "work").mkdir(parents=True)
+    (tmp_path / "grading-dead" / "lock").touch()
+    (tmp_path / "grading-link").symlink_to(tmp_path / "grading-dead")
+    with grade.workplace() as running, grade.workplace() as second:
+        found = {path.name for path in tmp_path.iterdir()}
+        assert found == {running.name, second.name, "grading-other", "grading-link"}
+    assert {path.name for path in tmp_path.iterdir()} == {"grading-other", "grading-link"}
+
+
+def test_says_on_windows_what_to_use_instead(monkeypatch, capsys, tmp_path):
+    monkeypatch.delattr(os, "fork")
+    assert grade.main([str(tmp_path)]) == 2
+    assert "WSL" in capsys.readouterr().err
+
+
+def test_without_namespaces_it_says_what_is_not_protected(monkeypatch):
+    monkeypatch.setattr(sys, "platform", "darwin")
+    for user, level in ((501, "limits"), (0, "another user")):
+        monkeypatch.setattr(os, "geteuid", lambda user=user: user)
+        assert isolation.separate() == level
+    assert "could read and change what you can" in isolation.LEVELS["limits"]
+    monkeypatch.setattr(os, "geteuid", lambda: 501)
+    monkeypatch.setattr(os, "scandir", lambda path: os.listdir("/nowhere"))
+    assert isolation.running() > 100
+
+
+def test_results_and_downloads_are_not_for_git():
+    names = ["build/grades/grades.csv", "grades.csv", "downloaded/class.zip", "build/gradebook.db"]
+    done = subprocess.run(["git", "check-ignore", *names], cwd=ROOT, capture_output=True, text=True)
+    if "not a git repository" in done.stderr:
+        pytest.skip("this copy of the course is no git repository")
+    assert done.stdout.split() == names
+
+
+PLAIN = r"""
+import os, sys, time
+from pathlib import Path
+from grading import checker, isolation, student, worker
+
+student.preload()
+isolation.separate = isolation.plain_level
+root, data, user = sys.argv[1:]
+order = {"data": data, "root": root, "home": root + "/home", "hidden": [], "user": int(user)}
+order |= {"limits": {"memory": 4 << 30, "processes": 64, "seconds": 60}}
+slot = worker.Slot(order)
+process = checker.Process(slot.zygote, order)
+
+
+def run(source):
+    said = process.ask({"do": "run", "source": source}, 20)
+    assert not said["error"], said
+
+
+def value(name):
+    said = process.ask({"do": "names", "names": [name]}, 20)
+    return process.peer.understood(said["values"][name])
+
+
+def of_user():
+    return [p for p in Path("/proc").glob("[0-9]*") if p.stat().st_uid == int(user)]
+
+
+run("import os\nfrom amrmetrics import check\nx = [1, 2]\ncheck.keep(globals(), 'x')")
+run("x.append(3)\nfound = os.getuid(), open('points.csv').read(), os.environ.get('SECRET')")
+process.ask({"do": "restore"}, 20)
+assert value("x") == [1, 2], value("x")
+assert value("found") == (int(user), "1,2", None), value("found")
+run("import time\nif os.fork() == 0:\n    os.setsid()\n    time.sleep(999)")
+process.end()
+assert of_user()
+isolation.end_all(int(user))
+end = time.monotonic() + 20
+while of_user():
+    assert time.monotonic() < end
+    time.sleep(0.1)
+print("fine")
+"""
+
+
+TRIALS = """
+import sys
+import amrmetrics as am
+from amrmetrics.benchmark import Scenario, System, estimators, running, worlds
+from grading import student
+
+
+def stops(log):
+    raise RuntimeError("stopped")
+
+
+started = []
+real = running.subprocess.Popen
+running.subprocess.Popen = lambda *a, **k: started.append(a) or real(*a, **k)
+systems = [System("ekf", estimators.ekf_slam), System("stops", stops)]
+hall = Scenario("hall", worlds.make, {"steps": 20}, "test")
+found = []
+for replaced in (True, False):
+    if replaced:
+        real_one, running._in_a_process = running._in_a_process, student.in_a_fork
+    else:
+        running._in_a_process = real_one
+    folder = sys.argv[1] + f"/{replaced}"
+    am.benchmark.run(systems, [hall], [0], folder, progress=False)
+    rows = am.benchmark.evaluate(folder, jobs=1).rows
+    found.append([(r["system"], r["status"], r["reason"], r["ate"]) for r in rows])
+    assert bool(started) is not replaced
+assert found[0] == found[1], found
+print("fine")
+"""
+
+
+def test_trials_of_a_benchmark_run_in_forks_as_they_do_in_programs(tmp_path):
+    done = scripted(TRIALS, tmp_path)
+    assert done.stdout == "fine\n", done.stderr
+
+
+def scripted(script, *arguments):
+    path = os.pathsep.join([str(ROOT), str(ROOT / "tools")])
+    return subprocess.run(
+        [sys.executable, "-c", script, *arguments],
+        env=dict(os.environ, PYTHONPATH=path, SECRET="1"),
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+
+
+@pytest.mark.skipif(not Path("/proc").is_dir() or os.geteuid() != 0, reason="only root can")
+def test_without_namespaces_root_lends_another_user_and_leaves_nothing_running(tmp_path):
+    for folder in (tmp_path, *tmp_path.parents[:2]):
+        folder.chmod(0o755)
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "points.csv").write_text("1,2")
+    user = str(isolation.FIRST_USER + 6000 + os.getpid() % 1000)
+    done = scripted(PLAIN, tmp_path, tmp_path / "data", user)
+    assert done.stdout == "fine\n", done.stderr
+
+
+def test_nbgrader_makes_the_same_exercise_on_a_fresh_clone(tmp_path):
+    name = hostile.NAME
+    shutil.copy(ROOT / "nbgrader_config.py", tmp_path)
+    for house in ("solutions", "exercises"):
+        shutil.copytree(ROOT / house / name, tmp_path / house / name)
+    command = [sys.executable, "-m", "nbgrader", "generate_assignment", name, "--force"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    made, released = (base / "exercises" / name / f"{name}.ipynb" for base in (tmp_path, ROOT))
+    assert json.loads(made.read_text()) == json.loads(released.read_text())
+    assert (tmp_path / "build" / "gradebook.db").is_file()
+
+
+# --- checks ---------------------------------------------------------------------------------------
+
+CHECK = """
+@check.part(globals())
+def check_a(map_score, other):
+    def inner(not_asked):
+        return used
+    check.value("a", map_score, inner(1))
+"""
+
+
+def test_a_check_asks_for_what_its_parameters_name():
+    assert material.asked(CHECK) == ("map_score", "other")
+    assert material.asked("check.value('a', yours, 3)") == ()
+
+
+def test_what_a_function_says_of_itself_does_not_choose_its_cases():
+    own = checker.Checker(None, None, None, None)
+    own.ran = [{"do": "run", "source": "def f(): pass"}, {"do": "restore"}]
+    function = own.called(None, "f", ["call", 0, "f"])
+    assert "def f(): pass" in function.__answer__
+
+
+def test_a_check_that_stumbles_over_an_answer_gives_no_mark_and_says_so(monkeypatch):
+    said = []
+    own = checker.Checker(None, None, None, said.append)
+    part = material.Part("part-a", 3, check="hidden", shown_check="shown")
+    for error, points in ((TypeError("odd"), 0), (MemoryError(), None), (wire.Gone("slow"), None)):
+        monkeypatch.setattr(own, "judge", lambda part, source, error=error: error)
+        assert own.check(part)[0] == points
+    (note,) = said
+    assert "TypeError: odd" in note["note"]
+
+
+@pytest.mark.parametrize(
+    ("results", "asked"),
+    [([2, 2, 2, 5], 3), ([2, 2, 5, 2, 2, 2], 6), ([[2], [2], [2], [2], [2], [2]], 6)],
+)
+def test_a_result_is_asked_again_until_it_was_three_times_the_same(results, asked):
+    given = []
+
+    class Peer(wire.Peer):
+        def ask(self, message):
+            given.append(results[len(given)])
+            return {"value": self.write(given[-1])}
+
+    peer = Peer(None, None)
+    peer.memory = {}
+    said = [peer.call(0, (0.5, [1, "x"]), {}) for _ in range(6)]
+    assert len(given) == asked
+    assert said == (given + [2] * 6)[:6]
 
 
 # --- finding -------------------------------------------------------------------------------------
@@ -203,6 +471,23 @@ def test_plain_values_cross_unchanged():
         assert type(found) is type(value)
         same = np.array_equal(found, value) if isinstance(value, np.ndarray) else found == value
         assert same, value
+
+
+def test_folders_of_answers_cross_and_stay_where_they_are_put(tmp_path):
+    home, place = tmp_path / "home", tmp_path / "place"
+    (home / "logs" / "a").mkdir(parents=True)
+    (home / "logs" / "a" / "b.csv").write_text("1,2")
+    (home / "logs" / "link").symlink_to(__file__)
+    values = {"folder": wire.Writer({}, {})(home / "logs"), "verdict": "logs", "other": "/etc"}
+    folders = wire.folders_in(values, str(home))
+    moved = wire.laid_out(values, folders, str(place))
+    there = wire.Reader({}, None)(moved["folder"])
+    assert [path.relative_to(place) for path in sorted(place.rglob("*.*"))] == [Path("0/a/b.csv")]
+    assert (there / "a" / "b.csv").read_text() == "1,2"
+    assert (moved["verdict"], moved["other"]) == ("logs", "/etc")
+    for name in ("../x", "/etc/x", "a/../../x"):
+        with pytest.raises(wire.Gone):
+            wire.laid_out({}, {"logs": {name: ""}}, str(place))
 
 
 def test_what_could_run_does_not_cross():

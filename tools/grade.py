@@ -12,51 +12,52 @@ import csv
 import hashlib
 import json
 import os
-import queue
 import re
 import select
 import shutil
 import signal
+import stat
 import subprocess
 import sys
 import tempfile
-import threading
 import time
-from collections import Counter
+from collections import Counter, deque
 from pathlib import Path
 
 from grading import collecting, isolation, material, notebooks, pages
 
 ROOT = Path(__file__).resolve().parents[1]
 START_SECONDS = 300
-TASK_SECONDS = 900
 LIMITS = {"memory": 2 << 30, "processes": 64, "seconds": 400}
 
 
 class Stopped(Exception):
-    """A worker ended or is silent."""
+    """The worker has ended."""
 
 
 class Worker:
-    """The process that checks one submission after another."""
+    """The process that checks submissions, so many at a time."""
 
-    def __init__(self, run, slot, cell_seconds):
-        self.run, self.slot, self.cell_seconds = run, slot, cell_seconds
+    def __init__(self, run, jobs, cell_seconds):
+        self.run, self.jobs, self.cell_seconds = run, jobs, cell_seconds
         self.process = None
 
     def start(self):
-        home = self.run / "homes" / str(self.slot)
-        shutil.rmtree(home, ignore_errors=True)
-        home.mkdir(parents=True)
-        order = {
-            "data": str(self.run / "empty"),
-            "root": str(self.run / "root"),
-            "home": str(home),
-            "hidden": [str(ROOT), str(self.run)],
-            "user": isolation.FIRST_USER + os.getpid() % 500 * 10 + self.slot % 10,
-            "limits": LIMITS,
-            "cell_seconds": self.cell_seconds,
-        }
+        """Start it, and return how well submissions are isolated."""
+        first = isolation.FIRST_USER + os.getpid() % 500 * 10
+        orders = [
+            {
+                "data": str(self.run / "empty"),
+                "root": str(self.run / "root"),
+                "home": str(self.run / "homes" / str(slot)),
+                "handed": str(self.run / "handed" / str(slot)),
+                "hidden": [str(ROOT), str(self.run)],
+                "user": first + slot % 10,
+                "limits": LIMITS,
+                "cell_seconds": self.cell_seconds,
+            }
+            for slot in range(self.jobs)
+        ]
         path = [str(self.run / "library"), str(self.run / "tools")]
         environment = {
             **os.environ,
@@ -65,22 +66,26 @@ class Worker:
             "OMP_NUM_THREADS": "1",
             "MPLBACKEND": "Agg",
             "MPLCONFIGDIR": str(self.run / "matplotlib"),
+            "IPYTHONDIR": str(self.run / "ipython"),
             "PYTHONDONTWRITEBYTECODE": "1",
         }
-        self.log = (self.run / f"worker-{self.slot}.log").open("ab")
-        self.process = subprocess.Popen(
-            [sys.executable, "-P", "-m", "grading.worker"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=self.log,
-            bufsize=0,
-            env=environment,
-            cwd=self.run / "empty",
-            start_new_session=True,
-        )
+        with (self.run / "worker.log").open("ab") as log:
+            self.process = subprocess.Popen(
+                [sys.executable, "-P", "-m", "grading.worker"],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=log,
+                bufsize=0,
+                env=environment,
+                cwd=self.run / "empty",
+                start_new_session=True,
+            )
         self.rest = b""
-        self.tell({"root": str(self.run / "course"), "order": order})
-        return self.hear(START_SECONDS)["ready"]
+        self.tell({"root": str(self.run / "course"), "orders": orders})
+        said = self.hear(START_SECONDS)
+        if said is None:
+            raise Stopped("it is silent")
+        return said["ready"]
 
     def tell(self, said):
         try:
@@ -89,11 +94,12 @@ class Worker:
             raise Stopped(str(error)) from None
 
     def hear(self, seconds):
+        """Return what it says next, or None if it says nothing for so long."""
         end = time.monotonic() + seconds
         while b"\n" not in self.rest:
             left = end - time.monotonic()
             if left <= 0 or not select.select([self.process.stdout], [], [], left)[0]:
-                raise Stopped("it is silent")
+                return None
             part = self.process.stdout.read(1 << 16)
             if not part:
                 raise Stopped("it has ended")
@@ -101,155 +107,146 @@ class Worker:
         line, _, self.rest = self.rest.partition(b"\n")
         return json.loads(line)
 
-    def ask(self, task):
-        if self.process is None or self.process.poll() is not None:
-            self.start()
-        self.tell(task)
-        return self.hear(TASK_SECONDS)
-
-    def kill(self):
-        process = self.process
-        if process is not None and process.poll() is None:
-            process.kill()
-
     def end(self):
+        """Close its input, at which it ends; it takes with it what it has started."""
         if self.process is None:
             return
         with contextlib.suppress(OSError):
             self.process.stdin.close()
         try:
-            self.process.wait(3)
+            self.process.wait(5)
         except subprocess.TimeoutExpired:
             self.process.kill()
             self.process.wait()
         self.process.stdout.close()
-        self.log.close()
         self.process = None
 
 
 class Grading:
     """One run: what was found, what is graded, and what is written."""
 
-    def __init__(self, found, out, jobs, run, cell_seconds=30, quiet=False):
-        self.found, self.out, self.jobs, self.run, self.quiet = found, out, jobs, run, quiet
-        self.cell_seconds = cell_seconds
-        self.materials = {}
+    def __init__(self, found, out, jobs, run, cell_seconds):
+        self.found, self.out, self.jobs, self.run = found, out, jobs, run
+        self.worker = Worker(run, jobs, cell_seconds)
+        self.materials, self.versions = {}, {}
         self.records = {}
-        self.lock = threading.Lock()
         self.level = None
-        self.stop = threading.Event()
-        self.problem = None
-        self.workers = []
+        self.shown = None
 
     def go(self):
-        names = {f.set for f in self.found if f.set}
-        self.materials = {name: material.load(ROOT, name) for name in sorted(names)}
-        self.versions = {name: version_of(name) for name in names}
-        todo = queue.Queue()
-        for k, entry in enumerate(self.found):
-            todo.put((k, entry))
-        threads = [threading.Thread(target=self.work, args=(todo, n)) for n in range(self.jobs)]
-        for thread in threads:
-            thread.start()
+        for name in sorted({entry.set for entry in self.found if entry.set}):
+            self.know(name)
+        waiting = deque(enumerate(self.found))
+        asked, again = {}, deque()  # what the worker has, and what a worker has ended with
         try:
-            while any(thread.is_alive() for thread in threads):
+            while waiting or asked or again:
                 self.progress()
-                threads[0].join(0.5)
-                time.sleep(0.2)
-        except KeyboardInterrupt:
-            self.stop.set()
-            for worker in self.workers:
-                worker.kill()
-            for thread in threads:
-                thread.join()
-            raise
+                try:
+                    self.hand_out(waiting, asked, again)
+                    said = self.worker.hear(0.5) if asked else None
+                except Stopped as stopped:
+                    self.stopped(stopped, asked, again)
+                    continue
+                if said:
+                    task = asked.pop(said.pop("task"))
+                    self.graded(*task[:3], said)
         finally:
+            self.worker.end()
             self.progress(last=True)
             self.write()
-        if self.problem:
-            raise SystemExit(self.problem)
 
-    def work(self, todo, slot):
-        worker = Worker(self.run, slot, self.cell_seconds)
-        self.workers.append(worker)
-        try:
-            while not self.stop.is_set():
-                try:
-                    k, entry = todo.get_nowait()
-                except queue.Empty:
-                    return
-                record = self.one(entry, worker)
-                if not self.stop.is_set():
-                    self.records[k] = record
-        except Stopped as stopped:
-            if self.stop.is_set():
-                return
-            log = (self.run / f"worker-{slot}.log").read_text(errors="replace")[-1500:]
-            self.problem = f"{log}\nA grading process could not be started: {stopped}."
-            self.stop.set()
-        finally:
-            worker.end()
+    def know(self, name):
+        self.materials[name] = material.load(ROOT, name)
+        self.versions[name] = version_of(name)
 
-    def one(self, entry, worker):
-        """Return the record of a submission: the one that is there, or a new one."""
+    def hand_out(self, waiting, asked, again):
+        """Give the worker as much as it does at a time; one by one what may have ended it."""
+        while again and not asked:
+            self.ask(again.popleft(), asked)
+        while waiting and not again and len(asked) < self.jobs:
+            k, entry = waiting.popleft()
+            record, data = self.begun(entry)
+            if data is None:
+                self.records[k] = record
+                self.progress()
+            else:
+                file = self.run / "work" / f"{k}.ipynb"
+                file.write_bytes(data)
+                task = (k, entry, record, {"task": k, "set": entry.set, "file": str(file)})
+                self.ask(task, asked)
+
+    def ask(self, task, asked):
+        asked[task[0]] = task
+        if self.worker.process is None:
+            self.started(self.worker.start())
+        self.worker.tell(task[3])
+
+    def stopped(self, stopped, asked, again):
+        """Go on after the worker has ended: with what it had, one by one, and each once more."""
+        self.worker.end()
+        if self.level is None:
+            log = (self.run / "worker.log").read_text(errors="replace")[-1500:]
+            raise SystemExit(f"{log}\nThe grading process could not be started: {stopped}.")
+        for k, task in list(asked.items()):
+            if task[3].get("again"):
+                said = f"the grader's process: {stopped}"
+                self.graded(*task[:3], {"parts": {}, "answers": {}, "notes": [], "failed": said})
+            else:
+                task[3]["again"] = True
+                again.append(task)
+            del asked[k]
+
+    def begun(self, entry):
+        """Return a record and the bytes to grade, or None if nothing is left to do."""
         record = {"student": entry.student, "set": entry.set, "place": entry.place}
         record |= {"parts": {}, "answers": {}, "notes": list(entry.notes)}
         if entry.problem:
-            return record | {"unreadable": entry.problem}
+            return record | {"unreadable": entry.problem}, None
         try:
             data = entry.data()
         except Exception as error:
-            return record | {"unreadable": f"it cannot be read ({type(error).__name__}: {error})"}
+            said = f"it cannot be read ({type(error).__name__}: {error})"
+            return record | {"unreadable": said}, None
         if not entry.set:
             entry.set = record["set"] = set_in(data)
             if not entry.set:
-                return record | {"unreadable": "it does not say which problem set it is"}
-            with self.lock:
-                if entry.set not in self.materials:
-                    self.materials[entry.set] = material.load(ROOT, entry.set)
-                    self.versions[entry.set] = version_of(entry.set)
+                return record | {"unreadable": "it does not say which problem set it is"}, None
+            if entry.set not in self.materials:
+                self.know(entry.set)
         record["digest"] = hashlib.sha256(data).hexdigest() + self.versions[entry.set]
-        place = self.out / "records" / file_name(entry.student) / f"{entry.set}.json"
         with contextlib.suppress(OSError, ValueError):
-            old = json.loads(place.read_text(encoding="utf-8"))
+            old = json.loads(self.place_of(record).read_text(encoding="utf-8"))
             if old["digest"] == record["digest"] and not old.get("failed"):
-                return old | {"notes": record["notes"] + old["found_inside"], "place": entry.place}
-        record |= self.by_worker(data, entry.set, worker)
-        if self.stop.is_set():
-            return record
+                notes = record["notes"] + old["found_inside"]
+                return old | {"notes": notes, "place": entry.place}, None
+        return record, data
+
+    def graded(self, k, entry, record, said):
+        record |= said
         record["found_inside"] = record["notes"]
         record["notes"] = entry.notes + record["notes"]
         record["isolation"] = self.level
-        write(place, json.dumps(record))
-        return record
+        write(self.place_of(record), json.dumps(record))
+        self.records[k] = record
+        (self.run / "work" / f"{k}.ipynb").unlink(missing_ok=True)
 
-    def by_worker(self, data, name, worker):
-        file = self.run / "work" / f"{worker.slot}.ipynb"
-        file.write_bytes(data)
-        for attempt in range(2):
-            try:
-                if worker.process is None or worker.process.poll() is not None:
-                    self.started(worker.start())
-                return worker.ask({"task": attempt, "set": name, "file": str(file)})
-            except Stopped as stopped:
-                worker.end()
-                if self.level is None or self.stop.is_set():
-                    raise
-                said = f"the grader's process: {stopped}"
-        return {"parts": {}, "answers": {}, "notes": [], "failed": said}
+    def place_of(self, record):
+        return self.out / "records" / file_name(record["student"]) / f"{record['set']}.json"
 
     def started(self, level):
-        with self.lock:
-            if self.level is None and not self.quiet:
-                print(f"Each submission runs with: {isolation.LEVELS[level]}.", flush=True)
-            self.level = level
+        if self.level is None:
+            print(f"Each submission runs with: {isolation.LEVELS[level]}.", flush=True)
+        self.level = level
 
     def progress(self, last=False):
-        if self.quiet:
-            return
-        done, open_ = len(self.records), sum(1 for r in list(self.records.values()) if trouble(r))
-        line = f"\r{done} of {len(self.found)} submissions, {open_} with parts not graded "
-        print(line, end="\n" if last else "", file=sys.stderr, flush=True)
+        """Say how far it is: in one line of a terminal, elsewhere once in ten submissions."""
+        done, open_ = len(self.records), sum(map(trouble, self.records.values()))
+        line = f"{done} of {len(self.found)} submissions, {open_} with parts not graded"
+        terminal = sys.stderr.isatty()
+        if last or done // (1 if terminal else 10) != self.shown:
+            start, end = ("\r", "\n" if last else " ") if terminal else ("", "\n")
+            print(line.join((start, end)), end="", file=sys.stderr, flush=True)
+        self.shown = done // (1 if terminal else 10)
 
     # --- what is written ---
 
@@ -447,17 +444,52 @@ def kind_of(said):
     return re.sub(r"-?\d[\d.,e+-]*", "…", said)[:90]
 
 
+@contextlib.contextmanager
+def workplace():
+    """Yield a folder of this run, and remove those of runs that were killed.
+
+    A run holds a lock on a file in its folder, which the system releases however it ends.
+    """
+    import fcntl
+
+    for old in Path(tempfile.gettempdir()).glob("grading-*"):
+        if is_abandoned(old):
+            shutil.rmtree(old, ignore_errors=True)
+    with tempfile.TemporaryDirectory(prefix="grading-", ignore_cleanup_errors=True) as folder:
+        lock = Path(folder, "lock")
+        with lock.with_suffix(".new").open("w") as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
+            os.rename(file.name, lock)  # so that nobody sees it unlocked
+            yield Path(folder)
+
+
+def is_abandoned(folder):
+    """Tell whether a folder is one of ours, of a run that has certainly ended."""
+    import fcntl
+
+    try:
+        about = folder.lstat()
+        if not stat.S_ISDIR(about.st_mode) or about.st_uid != os.geteuid():
+            return False
+        with (folder / "lock").open() as file:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:  # there is none, or the run holds it
+        return False
+    return True
+
+
 def prepared(run):
     """Copy what the checks need: neither a submission nor an editor changes it any more."""
-    for name in ("empty", "root", "homes", "work", "course", "library", "tools", "matplotlib"):
+    private = ("work", "handed", "course", "library", "tools")
+    for name in ("empty", "root", "homes", "matplotlib", "ipython", *private):
         (run / name).mkdir()
     without = shutil.ignore_patterns("__pycache__", "*.pyc", ".ipynb_checkpoints")
     shutil.copytree(ROOT / "amrmetrics", run / "library" / "amrmetrics", ignore=without)
     shutil.copytree(ROOT / "tools" / "grading", run / "tools" / "grading", ignore=without)
     for name in ("solutions", "exercises"):
         shutil.copytree(ROOT / name, run / "course" / name, ignore=without)
-    for private in ("work", "course", "library", "tools"):
-        (run / private).chmod(0o700)
+    for name in private:
+        (run / name).chmod(0o700)
     run.chmod(0o755)
 
 
@@ -468,16 +500,19 @@ def main(arguments=None):
         "--out", type=Path, default=ROOT / "build" / "grades", help="for the results"
     )
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="at a time")
-    parser.add_argument("--cell-seconds", type=float, default=30, help="for one cell, or one call")
+    parser.add_argument(
+        "--cell-seconds", type=float, default=10, help="of work, for one cell or one call"
+    )
     asked = parser.parse_args(arguments)
-    if not asked.submitted.exists():
-        parser.error(f"there is no {asked.submitted}")
-    if os.name == "nt":
+    if not hasattr(os, "fork"):
         print(
             "Grading needs Linux or macOS. On Windows, run it in WSL: a submission could not be "
-            "kept from your files here."
+            "kept from your files here.",
+            file=sys.stderr,
         )
         return 2
+    if not asked.submitted.exists():
+        parser.error(f"there is no {asked.submitted}")
     sets = sorted(p.parent.name for p in (ROOT / "solutions").glob("*/*.ipynb"))
     found = collecting.find(asked.submitted, sets)
     if not found:
@@ -489,8 +524,7 @@ def main(arguments=None):
     start = time.monotonic()
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        with tempfile.TemporaryDirectory(prefix="grading-", ignore_cleanup_errors=True) as folder:
-            run = Path(folder)
+        with workplace() as run:
             prepared(run)
             grading = Grading(found, asked.out, jobs, run, asked.cell_seconds)
             grading.go()

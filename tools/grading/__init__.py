@@ -3,7 +3,8 @@
 Who does what, each in a process of its own::
 
     tools/grade.py    finds submissions, hands them out, writes tables and pages
-      worker          has the solutions and the checks; forks a checker for each submission
+      worker          has the solutions and the checks, and has proved what the solutions prove;
+                      forks a checker for each submission, so many at a time
         checker       reads one notebook, runs the official checks on what the student's process
                       hands over: plain data, and functions that are called from afar
         zygote        knows the library and no solution; forks students' processes

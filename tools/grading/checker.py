@@ -3,8 +3,11 @@
 import base64
 import builtins
 import contextlib
+import functools
 import io
+import json
 import os
+import shutil
 import socket
 import tempfile
 import time
@@ -13,9 +16,10 @@ from pathlib import Path
 
 from grading import notebooks, pages, wire
 
-CELL_SECONDS = 30  # of one cell, or one call of a student's function
-CHECK_SECONDS = 150  # of one check, with all calls of the student's functions
-TOTAL_SECONDS = 400  # of a submission
+CELL_SECONDS = 10  # of processor time, of one cell or one call of a student's function
+LONGER = 3  # times as long may it take by the clock: it may wait, or the machine may be busy
+CHECK_SECONDS = 120  # of one check, with all calls of the student's functions
+TOTAL_SECONDS = 300  # of a submission
 MOST_STARTS = 12  # of students' processes
 VERBS = ("sends", "hands", "asks", "has", "does")  # with which a `Gone` tells of the process
 KEPT = 1500  # characters of a message
@@ -25,15 +29,53 @@ class Process:
     """A student's process, from its start to its end, and the line to it."""
 
     def __init__(self, zygote, order):
-        import json
-
         here, there = socket.socketpair()
         self.control, control = socket.socketpair()
         socket.send_fds(zygote, [json.dumps(order).encode()], [there.fileno(), control.fileno()])
         there.close()
         control.close()
         self.peer = wire.Peer(here, self.answer)
-        self.calls = None
+        self.heard, self.calls = b"", None
+
+    @functools.cached_property
+    def about(self):
+        """What the guard says of the process when it starts: its isolation and its number."""
+        return self.line_with("level", 5)
+
+    def line_with(self, name, seconds):
+        """Return what the guard says in a line with this name in it; nothing if it says nothing."""
+        self.control.settimeout(seconds)
+        with contextlib.suppress(OSError):
+            while name.encode() not in self.heard:
+                part = self.control.recv(4096)
+                if not part:
+                    break
+                self.heard += part
+        for line in self.heard.splitlines():
+            with contextlib.suppress(ValueError):
+                if name in (said := json.loads(line)):
+                    return said
+        return {}
+
+    def worked(self):
+        """Return the seconds of processor time it has taken, as far as the system says them."""
+        try:
+            said = Path(f"/proc/{self.about['pid']}/stat").read_text()
+            ticks = map(int, said.rpartition(")")[2].split()[11:15])  # its own, and its children's
+            return sum(ticks) / os.sysconf("SC_CLK_TCK")
+        except (OSError, ValueError, KeyError):
+            return 0.0
+
+    def limit(self, seconds, until):
+        """Give the process so many seconds of work from now on, until then by the clock."""
+        most = None
+
+        def tired():
+            nonlocal most
+            most = self.worked() + seconds if most is None else most
+            return self.worked() > most
+
+        self.peer.tired, self.peer.deadline = tired, until
 
     def answer(self, asked):
         if asked.get("do") != "call" or asked.get("of") not in self.peer.own:
@@ -41,27 +83,15 @@ class Process:
         return self.peer.answer_call(self.peer.own[asked["of"]], asked)
 
     def ask(self, message, seconds):
-        self.peer.deadline = time.monotonic() + seconds
+        self.limit(seconds, time.monotonic() + LONGER * seconds)
         return self.peer.ask(message)
 
     def end(self):
         """End it, and return how it had ended, if it had."""
-        import json
-
-        said = b""
-        self.control.settimeout(0.3)
-        with contextlib.suppress(OSError):
-            while b"exit" not in said:
-                part = self.control.recv(4096)
-                if not part:
-                    break
-                said += part
+        code = self.line_with("exit", 0.3).get("exit")
         self.control.close()
         self.peer.line.close()
-        for line in said.splitlines():
-            with contextlib.suppress(ValueError, KeyError):
-                return json.loads(line)["exit"]
-        return None
+        return code
 
 
 class Checker:
@@ -72,7 +102,7 @@ class Checker:
         self.done = set(done)
         self.cell_seconds = (order or {}).get("cell_seconds", CELL_SECONDS)
         self.end_by = time.monotonic() + TOTAL_SECONDS
-        self.ran = []  # sources that the student's process has run, but those that ended it
+        self.ran = []  # what the student's process has done, but what ended it
         self.starts = 0
         self.sessions = {}
         self.forbidden = ()
@@ -94,8 +124,8 @@ class Checker:
                 process.ask({"do": "run", "source": source}, self.cell_seconds)
             if key:
                 process.ask({"do": "take_away", "names": list(key)}, self.cell_seconds)
-            for source in self.ran:  # it ended in time before; the machine may be busy now
-                process.ask({"do": "run", "source": source}, 3 * self.cell_seconds)
+            for message in self.ran:  # it ended in time before; the machine may be busy now
+                process.ask(message, 2 * self.cell_seconds)
         return self.sessions[key]
 
     def drop(self, key=None):
@@ -110,22 +140,34 @@ class Checker:
         for key in list(self.sessions):
             if key:
                 self.drop(key)  # it would have to run this cell, too
+        message = {"do": "run", "source": source}
         try:
-            said = self.session().ask({"do": "run", "source": source}, self.cell_seconds)
+            said = self.session().ask(message, self.cell_seconds)
         except wire.Gone as gone:
-            raise wire.Gone(self.how(gone, self.drop(), self.cell_seconds)) from None
+            raise wire.Gone(self.how(gone, self.drop())) from None
         error = said.get("error")
         if error and "MemoryError" in error.get("kinds", ()):
             self.drop()  # what it holds would be missed by the cells after it
             raise wire.Gone("it took more memory than there is for a submission")
-        self.ran.append(source)
+        self.ran.append(message)
         return error
 
-    @staticmethod
-    def how(gone, code, seconds):
+    def restore(self):
+        """Give what the set gives its values again, as a check cell does in the notebook."""
+        running, message = self.sessions.get(()), {"do": "restore"}
+        self.ran.append(message)
+        try:
+            if running:
+                running.ask(message, self.cell_seconds)
+        except wire.Gone:
+            self.drop()
+
+    def how(self, gone, code):
         said = str(gone)
+        if said == "tired":
+            return f"it was still running after {self.cell_seconds:g} s of processor time"
         if said == "slow":
-            return f"it was still running after {seconds:g} s"
+            return f"it was still running after {LONGER * self.cell_seconds:g} s"
         if said == "ended":
             how = {None: "", -9: " (killed: SIGKILL, or out of memory)"}
             return f"it ended its process{how.get(code, f' (exit code {code})')}"
@@ -135,29 +177,31 @@ class Checker:
 
     def check(self, part):
         """Return (points or None, what is said of it, and to the student if that differs)."""
+        if part.broken:
+            return None, part.broken, ""
         if part.name in self.deadly:
             return None, f"its cell could not be run: {self.deadly[part.name]}", ""
         error = self.judge(part, part.check)
         if error is None:
             return part.points, "", ""
         said = self.words(part, error)
-        if not isinstance(error, AssertionError):
+        if isinstance(error, wire.Gone | MemoryError | OSError):
             return None, said, ""
+        if not isinstance(error, AssertionError):  # the official answer passed this check
+            self.say({"note": f"{part.name}: {said}. It counts as wrong: look at the answer"})
         shown = ""
         if part.check != part.shown_check:
             visible = self.judge(part, part.shown_check)
             if visible is None:
                 shown = "passes the check of the exercise, and fails on data that only grading has."
-            elif isinstance(visible, AssertionError):
+            elif not isinstance(visible, wire.Gone):
                 shown = self.words(part, visible)
         return 0, said, shown
 
     def words(self, part, error):
         raised = self.raised.get(part.name)
         first = f"The cell stops with {raised}. " if raised else ""
-        if isinstance(error, AssertionError):
-            return (first + str(error))[:KEPT]
-        if isinstance(error, wire.Gone):
+        if isinstance(error, AssertionError | wire.Gone):
             return (first + str(error))[:KEPT]
         return f"{first}the check stops with {type(error).__name__}: {error}"[:KEPT]
 
@@ -167,24 +211,33 @@ class Checker:
 
         try:
             session = self.session()
-            values = session.ask({"do": "names", "names": list(part.names)}, self.cell_seconds)
-            values = values.get("values")
+            said = session.ask({"do": "names", "names": list(part.names)}, self.cell_seconds)
+            values = said.get("values")
             if not isinstance(values, dict):
                 raise wire.Gone("sends nonsense")
+            values = self.with_folders(values, said.get("folders"))
             space = self.official()
-            answers = {n: self.called(session, n, values.get(n, ["dots"])) for n in part.names}
+            given = {n: values.get(n, ["dots"]) for n in part.names}
+            answers = {n: self.called(session, n, given[n]) for n in part.names}
             if part.names and all(answer is ... for answer in answers.values()):
                 raise NotYet("there is no answer yet.")
             space |= answers
-            started = time.monotonic()
-            self.part_end = started + CHECK_SECONDS
+            self.part_end = time.monotonic() + CHECK_SECONDS
             with self.quiet(), self.watched():
                 exec(compile(source, part.check_id, "exec"), space)
         except wire.Gone as gone:
-            return wire.Gone(self.how(gone, self.drop(), CHECK_SECONDS))
+            return wire.Gone(self.how(gone, self.drop()))
         except (Exception, SystemExit, KeyboardInterrupt) as error:
             return error
         return None
+
+    def with_folders(self, values, folders):
+        """Return values that name folders here, in place of those of the student's process."""
+        try:
+            shutil.rmtree(self.order["handed"], ignore_errors=True)
+            return wire.laid_out(values, folders, self.order["handed"])
+        except (ValueError, TypeError, AttributeError, OSError):
+            raise wire.Gone("hands over folders that cannot be read") from None
 
     def official(self):
         """Return a namespace in which the official setup has run: once, before the forks."""
@@ -244,17 +297,25 @@ class Checker:
             if files:
                 process.ask({"do": "files", "files": files}, self.cell_seconds)
             now = time.monotonic()
-            process.peer.deadline = min(now + self.cell_seconds, self.part_end, self.end_by)
+            until = min(now + LONGER * self.cell_seconds, self.part_end, self.end_by)
+            process.limit(self.cell_seconds, until)
             try:
                 return process.peer.call(number, arguments, options)
             except wire.Gone as gone:
-                if str(gone) != "slow" or process.peer.deadline < now + self.cell_seconds:
-                    raise
-                said = f"a call of {name} was still running after {self.cell_seconds:g} s"
-                raise wire.Gone(said) from None
+                raise wire.Gone(self.how_slow(name, gone)) from None
 
         function.__name__ = function.__qualname__ = str(data[2]) or name
+        # What the student has run so far says what the function does, wherever it is defined.
+        function.__answer__ = "\n".join(m.get("source", "") for m in self.ran)
         return function
+
+    def how_slow(self, name, gone):
+        """Say that a call took too long, or all calls of the check together."""
+        if str(gone) == "slow" and time.monotonic() >= min(self.part_end, self.end_by):
+            return f"the check was still running after {CHECK_SECONDS} s, with calls of {name}"
+        if str(gone) in ("slow", "tired"):
+            return f"a call of {name}: {self.how(gone, None)}"
+        return str(gone)
 
     # --- the whole ---
 
@@ -283,6 +344,7 @@ class Checker:
                     self.student_cell(cell)
             for name in due.get(k, ()):
                 self.one(self.material.parts[name], submission)
+                self.restore()
         for part in self.material.parts.values():
             if part.name not in last and not part.by_hand:
                 self.one(part, submission)

@@ -24,6 +24,7 @@ class Part:
     names: tuple = ()
     rubric: str = ""
     by_hand: bool = False
+    broken: str = ""
 
 
 @dataclass
@@ -76,10 +77,10 @@ def load(root, name):
             material.setup[cell["id"]] = cell["source"]
     given = set().union(*map(bound, material.setup.values())) if material.setup else set()
     # An answer may be used by a later check, under the name that its own part gave it.
-    known = {}
+    known = set()
     for part in material.parts.values():
-        known |= dict.fromkeys(answers.get(part.name, set()) - given, part.name)
-        part.names = tuple(sorted(used(part.check) & set(known)))
+        known |= answers.get(part.name, set()) - given
+        part.names = asked(part.check) or tuple(sorted(used(part.check) & known))
     return material
 
 
@@ -134,9 +135,12 @@ def used(source):
     return found
 
 
-def functions_in(source):
-    """Return the functions that a cell defines at its top level."""
-    try:
-        return {n.name for n in ast.parse(source).body if isinstance(n, ast.FunctionDef)}
-    except (SyntaxError, ValueError, RecursionError):
-        return set()
+def asked(source):
+    """Return the names that a check asks for as the parameters of its function."""
+    found = []
+    for node in ast.parse(source).body if source else ():
+        if isinstance(node, ast.FunctionDef):
+            calls = [d.func for d in node.decorator_list if isinstance(d, ast.Call)]
+            if any(ast.unparse(call) == "check.part" for call in calls):
+                found += [a.arg for a in node.args.posonlyargs + node.args.args]
+    return tuple(found)

@@ -200,6 +200,9 @@ REACHING = {
     r"\b(exec|eval|compile)\(": "code made from text",
     r"""open\([^)]*,\s*["'][wax+]|\.write_(text|bytes)\(|\bshutil\.""": "files that it writes",
     r"gradebook|solutions/|\.\./\.\.|site-packages": "places outside its folder",
+    r"__(given|answer)__|\bcheck\.(keep|part|restore|GIVEN)\b|progress\.json": (
+        "the machinery of checks"
+    ),
     r"def __(array|format|eq|float|index|repr|str|bool)\w*__": "objects that pretend",
 }
 
@@ -207,8 +210,11 @@ REACHING = {
 def suspicions(cells, material):
     """Return what the code reaches for that no answer needs, and what it puts in others' place."""
     notes = []
+    released = {name: source for name, _, source in material.released}
     for cell in cells:
         if cell.kind != "code" or cell.grade_id in material.by_check:
+            continue
+        if cell.grade_id and cell.source.split() == released[cell.grade_id].split():
             continue
         where = cell.grade_id or "a cell of its own"
         for pattern, what in REACHING.items():

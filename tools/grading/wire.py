@@ -12,6 +12,7 @@ import decimal
 import fractions
 import functools
 import json
+import os
 import pathlib
 import struct
 import sys
@@ -23,6 +24,10 @@ LARGEST = 64 << 20  # bytes of a message
 DEEPEST = 40  # containers in containers
 MOST_CALLS = 30  # calls in calls
 DIGITS = 1000  # of an integer
+SAME = 3  # results alike until a function is taken for one that gives no other
+FOLDERS = 32 << 20  # bytes in the folders that answers name
+MOST_FILES = 4096
+REMEMBERED = 5000  # of such results
 PLAIN = "biufcSUmM"  # kinds of arrays
 
 
@@ -63,7 +68,7 @@ class Writer:
             return self.opaque(x)
         try:
             return self.tagged(x, depth + 1)
-        except Exception:  # an object of a student may raise anything
+        except BaseException:  # an object of a student may raise anything
             return self.opaque(x)
 
     def many(self, items, depth):
@@ -340,6 +345,65 @@ def grown(branches):
     return class_(*arguments)
 
 
+# --- Folders -------------------------------------------------------------------------------------
+
+
+def texts_in(data):
+    if isinstance(data, dict | list):
+        for item in data.values() if isinstance(data, dict) else data:
+            yield from texts_in(item)
+    elif isinstance(data, str) and 0 < len(data) < 500:
+        yield data
+
+
+def folders_in(values, home):
+    """Return the files of each folder below `home` that an answer names."""
+    found, left = {}, FOLDERS
+    for text in dict.fromkeys(texts_in(values)):
+        try:
+            if not os.path.isdir(text) or not os.path.realpath(text).startswith(home):
+                continue
+            files = {}
+            for path in pathlib.Path(text).rglob("*"):
+                if path.is_file() and not path.is_symlink():
+                    data = path.read_bytes()
+                    left -= len(data) + 1000
+                    if left < 0:
+                        return {}
+                    name = path.relative_to(text).as_posix()
+                    files[name] = base64.b64encode(data).decode()
+            found[text] = files
+        except (OSError, ValueError):
+            continue
+    return found
+
+
+def laid_out(values, folders, place):
+    """Write folders that were handed over below a place, and let the answers name them there."""
+    if not isinstance(folders, dict) or not folders:
+        return values
+    if sum(map(len, folders.values())) > MOST_FILES:
+        raise Gone("hands over too many files")
+    there = {}
+    for number, (text, files) in enumerate(folders.items()):
+        there[text] = base = os.path.join(place, str(number))
+        os.makedirs(base, exist_ok=True)
+        for name, data in files.items():
+            parts = pathlib.PurePosixPath(name).parts
+            if not parts or ".." in parts or name.startswith("/"):
+                raise Gone("hands over files outside of their folder")
+            path = pathlib.Path(base, *parts)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(base64.b64decode(data))
+
+    def moved(data):
+        if isinstance(data, list):
+            return [moved(item) for item in data]
+        return there.get(data, data) if isinstance(data, str) else data
+
+    return {name: moved(data) for name, data in values.items()}
+
+
 # --- Errors -------------------------------------------------------------------------------------
 
 
@@ -379,9 +443,11 @@ class Peer:
     def __init__(self, line, answer):
         self.line, self.answer = line, answer
         self.deadline = None
+        self.tired = lambda: False
         self.own, self.foreign = {}, {}
         self.write = Writer(self.own, self.foreign)
         self.read = Reader(self.own, self.distant)
+        self.memory = None  # or a dict of what functions of the other side have returned
         self.depth = 0
 
     def distant(self, number, name):
@@ -396,16 +462,35 @@ class Peer:
             self.foreign[number] = function
         return self.foreign[number]
 
-    def call(self, number, arguments, options, **more):
+    def call(self, number, arguments, options):
         """Call a function of the other side; what it does to arrays and lists is done here, too."""
+        key = None
+        if self.memory is not None and not options:
+            key = number, key_of(arguments)
+            times, _, value = self.memory.get(key, (0, None, None))
+            if times >= SAME:
+                return value.copy() if isinstance(value, np.ndarray) else value
         given = [self.write(a) for a in arguments]
         named = [[name, self.write(a)] for name, a in options.items()]
-        said = self.ask({"do": "call", "of": number, "with": given, "and": named, **more})
+        said = self.ask({"do": "call", "of": number, "with": given, "and": named})
         for k, changed in said.get("changed", ()):
             overwrite(arguments[k], self.understood(changed))
         if "error" in said:
             raise read_error(said["error"])
-        return self.understood(said["value"])
+        value = self.understood(said["value"])
+        if key and key[1] is not None and not said.get("changed"):
+            self.remember(key, said["value"], value)
+        return value
+
+    def remember(self, key, said, value):
+        """Keep a result: a test that calls what it tests a thousand times alike would take long."""
+        if type(value) not in (*PLAIN_KINDS, np.ndarray) and not isinstance(value, np.generic):
+            return
+        if len(self.memory) > REMEMBERED:
+            self.memory.clear()
+        value = value.copy() if isinstance(value, np.ndarray) else value  # whoever gets it, has it
+        times, before, _ = self.memory.get(key, (0, said, None))
+        self.memory[key] = (times + 1 if same(before, said) else -float("inf")), said, value
 
     def understood(self, data):
         try:
@@ -426,7 +511,9 @@ class Peer:
         said = {}
         try:
             said["value"] = self.write(function(*arguments, **options))
-        except (Exception, SystemExit, KeyboardInterrupt) as error:
+        except Gone:
+            raise
+        except BaseException as error:
             said["error"] = written_error(error)
         changed = []
         for k, a in enumerate(arguments):
@@ -437,9 +524,8 @@ class Peer:
         return said | {"changed": changed}
 
     def ask(self, message):
-        room(
-            150
-        )  # a recursion that ends in the midst of an answer would leave the line in disorder
+        # A recursion that ends in the midst of an answer would leave the line in disorder.
+        room(150)
         self.depth += 1
         try:
             if self.depth > MOST_CALLS:
@@ -479,23 +565,45 @@ class Peer:
     def exactly(self, size):
         parts = bytearray()
         while len(parts) < size:
-            part = self.until(self.line.recv, min(size - len(parts), 1 << 20))
+            part = self.until(self.line.recv, min(size - len(parts), 1 << 20), 0.5)
             if not part:
                 raise Gone("ended")
             parts += part
         return bytes(parts)
 
-    def until(self, method, argument):
-        left = None if self.deadline is None else self.deadline - time.monotonic()
-        if left is not None and left <= 0:
-            raise Gone("slow")
-        try:
-            self.line.settimeout(left)
-            return method(argument)
-        except TimeoutError:
-            raise Gone("slow") from None
-        except OSError:
-            raise Gone("ended") from None
+    def until(self, method, argument, pause=float("inf")):
+        """Call a method of the line; after each pause, ask whether the other side is tired."""
+        while True:
+            left = float("inf") if self.deadline is None else self.deadline - time.monotonic()
+            if left <= 0:
+                raise Gone("slow")
+            wait = min(left, pause)
+            try:
+                self.line.settimeout(wait if wait < float("inf") else None)
+                return method(argument)
+            except TimeoutError:
+                if wait == left:
+                    raise Gone("slow") from None
+                if self.tired():
+                    raise Gone("tired") from None
+            except OSError:
+                raise Gone("ended") from None
+
+
+PLAIN_KINDS = (type(None), bool, int, float, complex, str)
+
+
+def key_of(x):
+    """Return something that only equal plain values, lists and arrays share; None for others."""
+    kind = type(x)
+    if kind in PLAIN_KINDS:
+        return kind, repr(x)
+    if kind in (tuple, list):
+        keys = [key_of(item) for item in x]
+        return None if None in keys else (kind, *keys)
+    if kind is np.ndarray or isinstance(x, np.generic):
+        return (kind, x.dtype.str, x.shape, x.tobytes()) if x.dtype.kind in PLAIN else None
+    return None
 
 
 def room(frames):
