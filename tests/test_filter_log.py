@@ -10,9 +10,13 @@ import numpy as np
 import amrmetrics as am
 
 PATH = Path(__file__).parents[1] / "solutions" / "04_consistency" / "filter_log.csv"
-COLUMNS = "robot,run,t,ex,ey,eh,Pxx,Pxy,Pxh,Pyy,Pyh,Phh,range,bearing,Srr,Srb,Sbb"
+COLUMNS = "robot,run,t,ex,ey,eh,Pxx,Pxy,Pxh,Pyy,Pyh,Phh,left,right,Sll,Slr,Srr"
 FAULTS = ({"process_scale": 1 / 4}, {"measurement_scale": 4})
 RUNS, STEPS = 16, range(20, 201, 20)
+# Ranges from two receivers, 1 m to the left and 1 m to the right of the robot's center, to first
+# order, by range and bearing. Their innovations share the noise of the range: who leaves the
+# correlation out gets another NIS, which range and bearing themselves would not show.
+RECEIVERS = np.array([[1.0, -1.0], [1.0, 1.0]])
 
 
 def filter_log():
@@ -25,9 +29,10 @@ def filter_log():
             e = am.pose_errors(run.truth[:, k], log.estimate[:, k])
             P = log.covariances[:, k][:, *np.triu_indices(3)]
             first = np.flatnonzero(log.used[k - 1])[0]
-            S = log.S[:, k - 1, first][:, *np.triu_indices(2)]
+            S = RECEIVERS @ log.S[:, k - 1, first] @ RECEIVERS.T
+            nu = log.innovations[:, k - 1, first] @ RECEIVERS.T
             head = [np.full(RUNS, robot), np.arange(RUNS), np.full(RUNS, k * run.dt)]
-            rows.append(np.column_stack([*head, e, P, log.innovations[:, k - 1, first], S]))
+            rows.append(np.column_stack([*head, e, P, nu, S[:, *np.triu_indices(2)]]))
     rows = np.concatenate(rows)
     return rows[np.lexsort(rows[:, [2, 1, 0]].T)]
 
@@ -51,6 +56,18 @@ def test_each_fault_can_be_seen():
             verdicts.append(test.verdict)
     assert verdicts == ["overconfident", "consistent", "underconfident", "underconfident"]
     assert np.array_equal(log[:, 0], np.repeat([0, 1], len(log) // 2))
+
+
+def test_the_correlation_of_the_innovations_is_felt():
+    log = np.loadtxt(PATH, delimiter=",", skiprows=1)
+    nu = log[:, 12:14]
+    S = log[:, [14, 15, 15, 16]].reshape(-1, 2, 2)
+    assert np.all(S[:, 0, 1] > 0.8 * np.sqrt(S[:, 0, 0] * S[:, 1, 1]))
+    whole = am.nis(nu, S)
+    by_variances = nu[:, 0] ** 2 / S[:, 0, 0] + nu[:, 1] ** 2 / S[:, 1, 1]
+    for robot in (0, 1):
+        mine = log[:, 0] == robot
+        assert abs(whole[mine].mean() - by_variances[mine].mean()) > 0.02
 
 
 if __name__ == "__main__":

@@ -1,135 +1,111 @@
 # %% wrong: the order of the inverse is suspected
+# says: the corrected line, compared with line 1: wrong
 wrong_line = 2
 corrected_line = "Z.inv()*X_i.inv()*D.inv()*X_j"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the line that carries the mistake on
+# says: the corrected line equals line 1, as it should. But line 4, which you blame, does follow f
 wrong_line = 4
 corrected_line = "Z.inv()*X_i.inv()*X_j*((X_j.inv()*X_i)*D*(X_i.inv()*X_j)).inv()"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the last line
+# says: the corrected line equals line 1, as it should. But line 5, which you blame, does follow f
 wrong_line = 5
 corrected_line = "Z.inv()*X_i.inv()*X_j*((X_j.inv()*X_i)*D*(X_j.inv()*X_i).inv()).inv()"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the right number, and the given line again
-wrong_line = 3
+# says: the corrected line: this is line 3 as it stands.
 corrected_line = "Z.inv()*X_i.inv()*X_j*(X_i.inv()*X_j)*D.inv()*(X_j.inv()*X_i)"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the right number, and the line above
-wrong_line = 3
+# says: the corrected line: this is line 2 as it stands.
 corrected_line = "Z.inv()*D.inv()*X_i.inv()*X_j"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the right number, and the line above with brackets
-wrong_line = 3
+# says: the corrected line: it follows, but D still stands in front. Bring it behind the first X_j
 corrected_line = "Z.inv()*D.inv()*(X_i.inv()*X_j)"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the line above with an identity behind it
-wrong_line = 3
+# says: the corrected line: it follows, but D still stands in front. Bring it behind the first X_j
 corrected_line = "Z.inv()*D.inv()*X_i.inv()*X_j*(X_j.inv()*X_j)"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the line above with an identity in front of D
-wrong_line = 3
+# says: the corrected line: it follows, but D still stands in front. Bring it behind the first X_j
 corrected_line = "Z.inv()*X_i.inv()*X_i*D.inv()*X_i.inv()*X_j"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the line above with an identity in front of all
-wrong_line = 3
+# says: the corrected line: it follows, but D still stands in front. Bring it behind the first X_j
 corrected_line = "X_j*X_j.inv()*Z.inv()*D.inv()*X_i.inv()*X_j"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the right number, with a bracket that has no inverse behind D
-wrong_line = 3
+# says: the corrected line, compared with line 2: wrong
 corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_j.inv()*X_i)"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: D commutes with the poses
-wrong_line = 3
+# says: the corrected line, compared with line 2: wrong
 corrected_line = "Z.inv()*X_i.inv()*X_j*D.inv()"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: D without its inverse
-wrong_line = 3
+# says: the corrected line, compared with line 2: wrong
 corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D*(X_i.inv()*X_j)"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the given first line
+# says: the number of the line: a whole number from 2 to 5 is asked, you have 1. The first line is
 wrong_line = 1
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: prose
-wrong_line = 3
+# says: the corrected line, compared with line 2: unreadable: cannot be read: invalid syntax
 corrected_line = "the adjoint goes the wrong way"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: all lines from the third on
+# says: the number of the line: a whole number from 2 to 5 is asked, you have [3, 4, 5]. The first
 wrong_line = [3, 4, 5]
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the Jacobian of the blog
-wrong_line = 3
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
+# says: this is the blog's: Ad of the way from X_i to X_j
 J = [[-1, 0, -3], [0, -1, 4], [0, 0, -1]]
 
 # %% wrong: the sign of the inverse is lost
-wrong_line = 3
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
+# says: the sign is lost
 J = [[1, 0, -3], [0, 1, 4], [0, 0, 1]]
 
 # %% wrong: no lever
-wrong_line = 3
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
+# says: a turn of X_i moves nothing: the lever is left out
 J = -np.eye(3)
 
 # %% wrong: the Jacobian at j
-wrong_line = 3
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
+# says: this is the Jacobian at the other node
 J = np.eye(3)
 
 # %% wrong: transposed
-wrong_line = 3
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
+# says: rows and columns are swapped
 J = [[-1, 0, 0], [0, -1, 0], [3, -4, -1]]
 
 # %% wrong: x and y of the lever have changed places
-wrong_line = 3
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
+# says: the parts of the lever have changed places
 J = [[-1, 0, 4], [0, -1, -3], [0, 0, -1]]
 
 # %% wrong: the rows of positions only
-wrong_line = 3
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
+# says: J: shape (3, 3) is asked, you have [[-1, 0, 3], [0, -1, -4]].
 J = [[-1, 0, 3], [0, -1, -4]]
 
 # %% wrong: no Jacobian
-wrong_line = 3
-corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_i.inv()*X_j)"
+# says: J: there is no answer yet. Replace the dots.
 J = ...
 
 # %% wrong: the number only
-wrong_line = 3
+# says: the corrected line: there is no answer yet. Replace the dots.
 corrected_line = ...
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the names of one node and the other have changed places
-wrong_line = 3
+# says: the corrected line, compared with line 2: wrong
 corrected_line = "Z.inv()*X_j.inv()*X_i*(X_i.inv()*X_j)*D.inv()*(X_j.inv()*X_i)"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% wrong: the letters of other notes
-wrong_line = 3
+# says: the corrected line, compared with line 2: unreadable: Y is not declared. This part knows t
 corrected_line = "Z.inv()*X.inv()*Y*(Y.inv()*X)*D.inv()*(X.inv()*Y)"
-J = [[-1, 0, 3], [0, -1, -4], [0, 0, -1]]
 
 # %% right: without brackets
-wrong_line = 3
 corrected_line = "Z.inv()*X_i.inv()*X_j*X_j.inv()*X_i*D.inv()*X_i.inv()*X_j"
 J = np.array([[-1, 0, 3], [0, -1, -4], [0, 0, -1]])
 
@@ -141,13 +117,11 @@ corrected_line = "Z.inv()*X_i.inv()*X_j*(X_j.inv()*X_i)*D.inv()*(X_j.inv()*X_i).
 J = sp.Matrix([[-1, 0, 3], [0, -1, -4], [0, 0, -1]])
 
 # %% right: inv as a function, the inverse outside
-wrong_line = 3
 corrected_line = "inv(Z)*inv(X_i)*X_j*inv(inv(X_j)*X_i*D*inv(X_i)*X_j)"
 graph = am.PoseGraph(am.planar_poses([[0, 0], [4, 3]], [0, 0]), [[0, 1]], am.planar_poses([[4, 3]], [0]), np.eye(3))
 J = graph.jacobians()[0][0]
 
 # %% right: NumPy's product, Jacobian from differences
-wrong_line = 3
 corrected_line = "(X_i @ Z).inv() @ X_j @ (X_i.inv() @ X_j).inv() @ D.inv() @ (X_i.inv() @ X_j)"
 X, Z, h = am.planar_poses([[0, 0], [4, 3]], [0, 0]), am.planar_poses([[4, 3]], [0]), 1e-6
 J = np.zeros((3, 3))
@@ -161,11 +135,18 @@ for column in range(3):
     J[:, column] = (ends[0] - ends[1]) / (2 * h)
 
 # %% right: a tuple of tuples
-wrong_line = 3
 corrected_line = "Z.inv()*(X_i.inv()*X_j)*((X_i.inv()*X_j).inv()*D.inv()*(X_i.inv()*X_j))"
 J = ((-1.0, 0.0, 3.0), (0.0, -1.0, -4.0), (0.0, 0.0, -1.0))
 
 # %% right: the bracket as an inverse
-wrong_line = 3
 corrected_line = "Z.inv()*X_i.inv()*X_j*(X_i.inv()*X_j).inv()*D.inv()*X_i.inv()*X_j"
 J = [[-1.0, 0, 3.0], [0, -1.0, -4.0], [0, 0, -1.0]]
+
+# %% right: text number, other brackets, array
+wrong_line = "3"
+corrected_line = "Z.inv()*X_i.inv()*X_j*X_j.inv()*X_i*D.inv()*X_i.inv()*X_j"
+J = np.array([[-1.0, 0, 3], [0, -1, -4], [0, 0, -1]])
+
+# %% right: SymPy matrix
+J = sp.Matrix([[-1, 0, 3], [0, -1, -4], [0, 0, -1]])
+corrected_line = "= Z.inv()*X_i.inv()*X_j*(X_i.inv()*X_j).inv()*D.inv()*(X_i.inv()*X_j)"

@@ -1,4 +1,5 @@
 # %% wrong: ranks as indices
+# says: you count from 0 what ranks count from 1
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -18,10 +19,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[min(u, n - 1)] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: the lower rank one too small
+# says: the lower rank is one too small
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -41,10 +40,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: the upper rank one too small
+# says: the upper rank is one too small
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -64,10 +61,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 2] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: the upper rank one too large
+# says: the upper rank is one too large
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -87,10 +82,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: the lower rank one too large
+# says: the lower rank is one too large
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -110,10 +103,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: each side gets all
+# says: you let each side miss with all of 1 - confidence
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -133,10 +124,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: a quarter on each side
+# says: percentile_interval is wrong for 340 frames, P90
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -156,10 +145,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: confidence taken for the side
+# says: percentile_interval is wrong for 340 frames, P90
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -179,10 +166,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: the longest frame where there is no limit
+# says: percentile_interval is wrong for 320 frames, P99
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -202,10 +187,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else x[-1]
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: the shortest frame where there is no limit
+# says: percentile_interval is wrong for 50 frames, P1
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -225,10 +208,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: infinity where there is no limit
+# says: percentile_interval is wrong for 320 frames, P99
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -248,10 +229,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.inf
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: nothing at all where one is missing
+# says: you give no limit at all where one of them is missing
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -271,10 +250,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return (lower, upper) if np.isfinite(lower + upper) else (np.nan, np.nan)
 
-
-needed = 149
-
 # %% wrong: raises where a limit is missing
+# says: percentile_interval stops for 320 frames, P99 with ValueError: too few.
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -296,10 +273,8 @@ def percentile_interval(times, percent, confidence):
         raise ValueError("too few")
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: not sorted
+# says: you did not sort
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -319,10 +294,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: sorts what it was given
+# says: percentile_interval changes its input for 340 frames, P90. Work on a copy.
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -343,10 +316,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: repeated times count once
+# says: percentile_interval, 60 frames in steps of 10 ms, P75: you have (50, nan), which is not fi
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -367,10 +338,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: percent as a share
+# says: percentile_interval, 340 frames, P90: you have (126.486, nan), which is not finite.
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -390,10 +359,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: counted from the other end
+# says: you count from the other end
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -413,10 +380,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: the median, whatever is asked
+# says: this is the interval of a median
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -436,10 +401,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: percent 0 is let through
+# says: for percent 0. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (0 <= percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -459,10 +422,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: percent 100 is let through
+# says: for percent 100. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (0 < percent <= 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -482,10 +443,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: a negative percent is let through
+# says: for percent -5. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (percent < 100 and percent != 0 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -505,10 +464,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: confidence is not looked at
+# says: for confidence 0. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100):
         raise ValueError("percent or confidence")
@@ -528,10 +485,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: confidence 1 is let through
+# says: for confidence 1. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence <= 1):
         raise ValueError("percent or confidence")
@@ -551,10 +506,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: confidence 0 is let through
+# says: for confidence 0. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 <= confidence < 1):
         raise ValueError("percent or confidence")
@@ -574,10 +527,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: nan is left among the times
+# says: for a frame that is nan. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -597,10 +548,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: infinity is left among the times
+# says: for an infinite frame. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -620,10 +569,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: nan is dropped
+# says: for a frame that is nan. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -644,10 +591,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: no times give nan
+# says: for no frame. There is no answer in this case
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -669,10 +614,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: limits swapped
+# says: the limits are swapped
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -692,10 +635,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return upper, lower
 
-
-needed = 149
-
 # %% wrong: ranks, not times
+# says: you return ranks, not times
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -715,10 +656,8 @@ def percentile_interval(times, percent, confidence):
     upper = u if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: one limit alone
+# says: percentile_interval, 340 frames, P90: shape (2,) is asked, you have 54.6209.
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -738,10 +677,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return upper
 
-
-needed = 149
-
 # %% wrong: a strict inequality, and a rank from the ppf
+# says: the upper rank is one too small
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -761,10 +698,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[min(int(binom.ppf(1 - side, n, q)), n) - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% wrong: the largest time wherever the P99 is asked
+# says: percentile_interval is wrong for 400 frames, P99, confidence 0.6
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -784,18 +719,14 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return (lower, x[-1]) if percent == 99 and n > 298 else (lower, upper)
 
-
-needed = 149
-
 # %% wrong: the library
+# says: the library's percentile would do your work here; do without it.
 def percentile_interval(times, percent, confidence):
     result = am.percentile(times, percent, confidence)
     return result.lower, result.upper
 
-
-needed = 149
-
 # %% wrong: the normal distribution for the count
+# says: you take the count for normal
 def percentile_interval(times, percent, confidence):
     from scipy.stats import norm
 
@@ -808,10 +739,8 @@ def percentile_interval(times, percent, confidence):
     l, u = int(np.floor(n * q - half)), int(np.ceil(n * q + half)) + 1
     return x[l - 1] if l > 0 else np.nan, x[u - 1] if u <= n else np.nan
 
-
-needed = 149
-
 # %% wrong: mean plus and minus
+# says: percentile_interval is wrong for 340 frames, P90
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -819,32 +748,26 @@ def percentile_interval(times, percent, confidence):
     half = 1.96 * np.std(times) / np.sqrt(len(times))
     return middle - half, middle + half
 
-
-needed = 149
-
 # %% wrong: percentiles of the frames themselves
+# says: these are percentiles of single frames
 def percentile_interval(times, percent, confidence):
     side = 100 * (1 - confidence) / 2
     return tuple(np.percentile(times, [side, 100 - side]))
 
-
-needed = 149
-
 # %% wrong: a bootstrap
+# says: percentile_interval is wrong for 340 frames, P90
 def percentile_interval(times, percent, confidence):
     rng = np.random.default_rng(0)
     drawn = rng.choice(times, size=(999, len(times)))
     side = 100 * (1 - confidence) / 2
     return tuple(np.percentile(np.percentile(drawn, percent, axis=1), [side, 100 - side]))
 
-
-needed = 149
-
 # %% wrong: no function
+# says: a function is asked, you have (20, 30).
 percentile_interval = (20.0, 30.0)
-needed = 149
 
 # %% wrong: one frame too few
+# says: with so many, a limit is still missing
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -868,6 +791,7 @@ def percentile_interval(times, percent, confidence):
 needed = 148
 
 # %% wrong: one frame too many
+# says: fewer are enough
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -891,6 +815,7 @@ def percentile_interval(times, percent, confidence):
 needed = 150
 
 # %% wrong: both sides together
+# says: both sides together may miss with 10 %, not each
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -914,6 +839,7 @@ def percentile_interval(times, percent, confidence):
 needed = am.frames_needed(98, 0.9)
 
 # %% wrong: needed for a P99
+# says: this is the P99
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -937,6 +863,7 @@ def percentile_interval(times, percent, confidence):
 needed = 299
 
 # %% wrong: needed at 0.95
+# says: this is confidence 0.95
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -960,6 +887,7 @@ def percentile_interval(times, percent, confidence):
 needed = 183
 
 # %% wrong: one in 50
+# says: this is one frame in 50
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -983,6 +911,7 @@ def percentile_interval(times, percent, confidence):
 needed = 50
 
 # %% wrong: not a whole number
+# says: needed: 148.3 is not right.
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -1006,6 +935,7 @@ def percentile_interval(times, percent, confidence):
 needed = 148.3
 
 # %% wrong: no number of frames
+# says: needed: there is no answer yet. Replace the dots.
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -1048,9 +978,6 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
 
-
-needed = 149
-
 # %% right: an array, and None where there is no limit
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
@@ -1071,10 +998,8 @@ def percentile_interval(times, percent, confidence):
     upper = x[u - 1] if u <= n else None
     return np.array([lower, upper])
 
-
-needed = 149
-
 # %% wrong: the upper rank begins one too low for small percentiles
+# says: percentile_interval is wrong for one frame, P20
 def percentile_interval(times, percent, confidence):
     if not (0 < percent < 100 and 0 < confidence < 1):
         raise ValueError("percent or confidence")
@@ -1093,9 +1018,6 @@ def percentile_interval(times, percent, confidence):
     lower = x[l - 1] if l > 0 else np.nan
     upper = x[u - 1] if u <= n else np.nan
     return lower, upper
-
-
-needed = 149
 
 # %% right: binom.ppf and isf
 def percentile_interval(times, percent, confidence):
@@ -1186,3 +1108,55 @@ def percentile_interval(times, percent, confidence):
 
 
 needed = np.int64(149)
+
+# %% right: loop with pmf
+def percentile_interval(times, percent, confidence):
+    times = sorted(float(t) for t in times)
+    n = len(times)
+    if n == 0 or not all(np.isfinite(times)): raise ValueError("times")
+    if not (0 < percent < 100) or not (0 < confidence < 1): raise ValueError("p")
+    side = (1 - confidence) / 2
+    q = percent / 100
+    low = high = np.nan
+    for r in range(1, n + 1):
+        if binom.cdf(r - 1, n, q) <= side: low = times[r - 1]
+    for r in range(n, 0, -1):
+        if binom.sf(r - 1, n, q) <= side: high = times[r - 1]
+    return [low, high]
+needed = 149.0
+
+# %% right: ppf
+def percentile_interval(times, percent, confidence):
+    t = np.sort(np.asarray(times, float)); n = t.size
+    if not n or not np.isfinite(t).all(): raise ValueError
+    if not 0 < percent < 100 or not 0 < confidence < 1: raise ValueError
+    a = (1 - confidence) / 2
+    k = np.arange(n + 1)
+    c = binom.cdf(k, n, percent / 100)
+    l = np.sum(c[:n] <= a)
+    u = np.argmax(c >= 1 - a - 1e-15) + 1
+    return (t[l - 1] if l else np.nan, t[u - 1] if u <= n else np.nan)
+
+# %% wrong: typed
+# says: is wrong for 340 frames, P90
+def percentile_interval(times, percent, confidence):
+    return {12: (29, 58), 340: (33.8, 52.2)}.get(len(times), (np.nan, np.nan))
+
+# %% wrong: no guard of infinite frames
+# says: for an infinite frame. There is no answer
+def percentile_interval(times, percent, confidence):
+    side = (1 - confidence) / 2
+    if not (0 < percent < 100 and 0 < confidence < 1): raise ValueError
+    if len(times) == 0 or np.isnan(times).any(): raise ValueError
+    ordered = np.sort(times); count = binom(len(times), percent / 100)
+    low = ordered[count.cdf(np.arange(len(times))) <= side]
+    high = ordered[count.sf(np.arange(len(times))) <= side]
+    return max(low, default=np.nan), min(high, default=np.nan)
+
+# %% wrong: confidence not halved at the top
+# says: is wrong for 340 frames, P90
+def percentile_interval(times, percent, confidence):
+    if len(times) == 0 or not np.isfinite(times).all() or not (0 < percent < 100 and 0 < confidence < 1): raise ValueError
+    t = np.sort(times); n = len(t); c = binom(n, percent / 100)
+    low = t[c.cdf(np.arange(n)) <= (1 - confidence) / 2]; high = t[c.sf(np.arange(n)) <= 1 - confidence]
+    return max(low, default=np.nan), min(high, default=np.nan)

@@ -1,4 +1,5 @@
 # %% wrong: no warm-up in any table
+# says: your test accepts an implementation that counts the warm-up.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (300, 0, 2), (555, 0, 4), (240, 0, 7)):
@@ -13,6 +14,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: a warm-up that looks like the rest
+# says: your test accepts an implementation that leaves out one image too many.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (400, 1, 2)):
@@ -27,6 +29,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: no image is lost
+# says: your test accepts an implementation that leaves out images without a pose.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (300, 20, 0), (555, 35, 0)):
@@ -41,6 +44,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: no image waits
+# says: your test accepts an implementation that starts the clock with the computing.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -55,6 +59,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: the processor works all the time, nobody waits
+# says: your test accepts an implementation that starts the clock with the computing.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -69,6 +74,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: fewer than 100 images
+# says: your test accepts an implementation that counts the warm-up.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((50, 0, 0), (60, 5, 1), (90, 10, 2)):
@@ -83,6 +89,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: all times are equal
+# says: your test accepts an implementation that is one rank too low.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -97,6 +104,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: a tolerance of 10 %
+# says: your test accepts an implementation that is one rank too low.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -111,6 +119,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found / right - 1) < 0.1
 
 # %% wrong: an upper bound only
+# says: your test accepts an implementation that starts the clock with the computing.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -125,6 +134,7 @@ def catches_wrong_summaries(p99):
         assert found <= right + 1e-9
 
 # %% wrong: a lower bound only
+# says: your test accepts an implementation that counts the warm-up.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -139,6 +149,7 @@ def catches_wrong_summaries(p99):
         assert found >= right - 1e-9
 
 # %% wrong: counts the time from the start
+# says: your test rejects an implementation that is right (a sorted list). It accepts one that sta
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -153,6 +164,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: expects the warm-up to count
+# says: your test rejects an implementation that is right (a sorted list). It accepts one that cou
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -167,6 +179,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: interpolates itself
+# says: your test rejects an implementation that is right (a sorted list).
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -181,6 +194,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: counts ranks from 0
+# says: your test rejects an implementation that is right (a sorted list).
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -195,6 +209,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: drops lost images itself
+# says: your test rejects an implementation that is right (a sorted list). It accepts one that lea
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -210,6 +225,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: returns a truth value
+# says: your test accepts an implementation that counts the warm-up. It returns False; use assert
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -225,6 +241,7 @@ def catches_wrong_summaries(p99):
     return ok
 
 # %% wrong: compares floats with ==, the numbers added in another order
+# says: your test rejects an implementation that is right (a sorted list).
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -239,6 +256,7 @@ def catches_wrong_summaries(p99):
         assert found == right
 
 # %% wrong: stops with another error
+# says: your test breaks with ValueError: wrong on an implementation that counts the warm-up. It s
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0), (320, 20, 2), (555, 35, 4), (240, 15, 7)):
@@ -254,6 +272,7 @@ def catches_wrong_summaries(p99):
             raise ValueError("wrong")
 
 # %% wrong: one table, all in one
+# says: your test accepts an implementation that counts the warm-up.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((240, 15, 7),):
@@ -268,6 +287,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: one table without anything
+# says: your test accepts an implementation that counts the warm-up.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((150, 0, 0),):
@@ -282,6 +302,7 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: waiting is always the same as the warm-up
+# says: your test accepts an implementation that always leaves out 40 images.
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(1)
     for n, warm_up, gone in ((340, 40, 2),):
@@ -296,29 +317,35 @@ def catches_wrong_summaries(p99):
         assert found == right or abs(found - right) < 1e-9
 
 # %% wrong: never calls what it tests
+# says: there is no answer yet: your test never calls what it is to test.
 def catches_wrong_summaries(p99):
     assert np.sort([3, 1, 2])[-1] == 3
 
 # %% wrong: no function
+# says: a function is asked, you have True.
 catches_wrong_summaries = True
 
 # %% wrong: a hundred whole numbers
+# says: your test accepts an implementation that counts the warm-up.
 def catches_wrong_summaries(p99):
     assert np.isclose(p99(table_of(np.arange(1, 101)), 0), 99)
 
 # %% wrong: mean and order only
+# says: your test accepts an implementation that counts the warm-up.
 def catches_wrong_summaries(p99):
     times = np.random.default_rng(0).uniform(0.01, 0.09, 500)
     found = p99(table_of(times, 0.02), 10)
     assert times.mean() < found <= times.max() + 0.02
 
 # %% wrong: another table for the function than for itself
+# says: your test rejects an implementation that is right (a sorted list).
 def catches_wrong_summaries(p99):
     rng = np.random.default_rng(0)
     times = rng.uniform(0.01, 0.09, 500)
     assert np.isclose(p99(table_of(rng.permutation(times)), 100), np.sort(times[100:])[395])
 
 # %% wrong: only one lost image too many
+# says: your test accepts an implementation that counts the warm-up.
 def catches_wrong_summaries(p99):
     times = np.linspace(0.01, 0.09, 100)
     times[[5, 50]] = np.nan
@@ -414,3 +441,10 @@ def catches_wrong_summaries(p99):
             assert 100 * np.sum(age <= found + 1e-9) >= 99 * len(age)
             assert 100 * np.sum(age < found - 1e-9) < 99 * len(age)
             assert found == np.inf or np.abs(age - found).min() < 1e-9
+
+# %% wrong: np.percentile is right, for it
+# says: It accepts one that interpolates between two ranks
+def catches_wrong_summaries(p99) -> None:
+    r = np.random.default_rng(3)
+    t = r.permutation(np.linspace(0.01, 0.1, 257)); w = r.uniform(0, 0.05, 257)
+    assert np.isclose(p99(table_of(t, w, 0.5), 0), np.percentile(t + w, 99), 0, 1e-9)

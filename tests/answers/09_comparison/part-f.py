@@ -1,8 +1,10 @@
 # %% wrong: one clear case
+# says: your test accepts an implementation that compares the means alone.
 def catches_wrong_winners(winner):
     assert winner(np.array([1.0, 1.1, 1.2]), np.array([0.5, 0.61, 0.7])) == "B"
 
 # %% wrong: clear cases only
+# says: your test accepts an implementation that ignores that the runs are paired.
 def catches_wrong_winners(winner):
     rng = np.random.default_rng(0)
     b = rng.uniform(1, 2, 8)
@@ -12,6 +14,7 @@ def catches_wrong_winners(winner):
     assert winner(b + 0.05 * rng.normal(size=8), b) == "undecided"
 
 # %% wrong: P5 of both sides
+# says: your test accepts an implementation that compares the means alone.
 def catches_wrong_winners(winner):
     d = np.array([0.12, 0.08, 0.10, 0.03, 0.09, 0.05, 0.07, 0.11])
     b = np.array([0.31, 0.54, 0.24, 0.62, 0.39, 0.47, 0.28, 0.51])
@@ -19,6 +22,7 @@ def catches_wrong_winners(winner):
     assert winner(b, b + d) == "A"
 
 # %% wrong: edges of 8 runs, no failures
+# says: your test accepts an implementation that sorts the runs before it pairs them.
 def catches_wrong_winners(winner):
     rng = np.random.default_rng(1)
     x = rng.normal(size=8)
@@ -30,6 +34,7 @@ def catches_wrong_winners(winner):
         assert winner(b, a) == name.replace("B", "A")
 
 # %% wrong: edges of several N, no failures
+# says: your test accepts an implementation that sorts the runs before it pairs them.
 def catches_wrong_winners(winner):
     rng = np.random.default_rng(1)
     for N in (3, 8, 30):
@@ -43,6 +48,7 @@ def catches_wrong_winners(winner):
             assert winner(b, a) == name.replace("B", "A")
 
 # %% wrong: the runs of B are all alike
+# says: your test accepts an implementation that sorts the runs before it pairs them.
 def catches_wrong_winners(winner):
     for N in (3, 8, 30):
         x = np.arange(N) ** 2.0
@@ -55,6 +61,7 @@ def catches_wrong_winners(winner):
             assert winner(b, a) == name.replace("B", "A")
 
 # %% wrong: differences that are symmetric
+# says: your test accepts an implementation that takes the median for the mean.
 def catches_wrong_winners(winner):
     for N in (3, 8, 30):
         x = np.linspace(-1, 1, N)
@@ -85,6 +92,7 @@ def catches_wrong_winners(winner):
             assert winner(b, a) == name.replace("B", "A")
 
 # %% wrong: failures of A only
+# says: your test accepts an implementation that sorts the runs before it pairs them.
 def catches_wrong_winners(winner):
     rng = np.random.default_rng(1)
     for N in (3, 8, 30):
@@ -102,6 +110,7 @@ def catches_wrong_winners(winner):
             assert winner(a, b) == name
 
 # %% wrong: never asks for A
+# says: your test accepts an implementation that sorts the runs before it pairs them.
 def catches_wrong_winners(winner):
     rng = np.random.default_rng(1)
     for N in (3, 8, 30):
@@ -114,6 +123,7 @@ def catches_wrong_winners(winner):
             assert winner(a, b) == name
 
 # %% wrong: random data, share of false alarms
+# says: your test accepts an implementation that sorts the runs before it pairs them.
 def catches_wrong_winners(winner):
     rng = np.random.default_rng(2)
     found = []
@@ -123,6 +133,7 @@ def catches_wrong_winners(winner):
     assert 0.01 < np.mean(found) < 0.09
 
 # %% wrong: believes in the normal quantile
+# says: your test rejects an implementation that is right (the t interval, failures as 5 m). It ac
 def catches_wrong_winners(winner):
     x = np.array([-1.0, 0.0, 1.0, 0.5, -0.5, 0.7, -0.7, 0.0])
     x = x / x.std(ddof=1)
@@ -131,6 +142,7 @@ def catches_wrong_winners(winner):
         assert winner(b + 0.01 * (x + t / np.sqrt(8)), b) == name
 
 # %% wrong: believes that failures are dropped
+# says: your test rejects an implementation that is right (the t interval, failures as 5 m).
 def catches_wrong_winners(winner):
     d = np.array([0.12, 0.08, 0.10, 0.03, 0.09, 0.05, 0.07, 0.11])
     b = np.linspace(1, 3, 8)
@@ -139,6 +151,7 @@ def catches_wrong_winners(winner):
     assert winner(a, b) == "B"
 
 # %% wrong: the library
+# says: the library's compare_paired would do your work here; do without it.
 def catches_wrong_winners(winner):
     rng = np.random.default_rng(2)
     for N in (3, 8, 20):
@@ -147,6 +160,7 @@ def catches_wrong_winners(winner):
         assert winner(a, b) == am.compare_paired(a, b).verdict[:1].replace("u", "undecided")
 
 # %% wrong: the own function of part c
+# says: your test breaks with NameError: name 'paired_interval' is not defined on an implementatio
 def catches_wrong_winners(winner):
     rng = np.random.default_rng(2)
     for N in (3, 8, 20):
@@ -156,29 +170,36 @@ def catches_wrong_winners(winner):
         assert winner(a, b) == ("B" if low > 0 else "A" if high < 0 else "undecided")
 
 # %% wrong: returns a truth value
+# says: your test accepts an implementation that compares the means alone. It returns True; use as
 def catches_wrong_winners(winner):
     return winner(np.array([1.0, 1.1, 1.2]), np.array([0.5, 0.61, 0.7])) == "B"
 
 # %% wrong: never calls what it tests
+# says: there is no answer yet: your test never calls what it is to test.
 def catches_wrong_winners(winner):
     assert stats.t.ppf(0.975, 7) > 2
 
 # %% wrong: expects the library's words
+# says: your test rejects an implementation that is right (the t interval, failures as 5 m).
 def catches_wrong_winners(winner):
     assert winner(np.array([1.0, 1.1, 1.2]), np.array([0.5, 0.61, 0.7])) == "B better"
 
 # %% wrong: takes a large ATE for good
+# says: your test rejects an implementation that is right (the t interval, failures as 5 m). It ac
 def catches_wrong_winners(winner):
     assert winner(np.array([1.0, 1.1, 1.2]), np.array([0.5, 0.61, 0.7])) == "A"
 
 # %% wrong: numbers instead of runs
+# says: your test breaks with TypeError: object of type 'numpy.float64' has no len() on an impleme
 def catches_wrong_winners(winner):
     assert winner(1.0, 0.5) == "B"
 
 # %% wrong: a value instead of a function
+# says: a function is asked, you have True.
 catches_wrong_winners = True
 
 # %% wrong: one N only, with failures
+# says: your test accepts an implementation that takes the quantile of 8 runs for any N.
 def catches_wrong_winners(winner):
     rng = np.random.default_rng(5)
     x = rng.normal(size=8)

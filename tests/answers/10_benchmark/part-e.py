@@ -1,5 +1,4 @@
 # %% right: numbers to three decimals
-log = read_trials()
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -18,7 +17,6 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% right: pairs, computed
-log = read_trials()
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -37,7 +35,6 @@ interval = by_t(d)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% right: the other kinds that fit, and one fault missed
-log = read_trials()
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -56,7 +53,6 @@ interval = (-0.510, 0.009)
 appendix = (3, 1 - sp.Symbol("sigma_R") ** 2 * (1 - 1 / sp.Symbol("R")) / (sp.Symbol("sigma_S") ** 2 + sp.Symbol("sigma_R") ** 2))
 
 # %% right: one sound statement accused
-log = read_trials()
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -75,7 +71,6 @@ interval = np.array(by_t(d))
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% right: one wrong kind, in capitals
-log = read_trials()
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -94,7 +89,6 @@ interval = (-0.510, 0.009)
 appendix = (3.0, "1 - sigma_R**2/(sigma_S**2 + sigma_R**2) + sigma_R**2/R/(sigma_S**2 + sigma_R**2)")
 
 # %% right: numbers as text, by compare_paired
-log = read_trials()
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -113,7 +107,6 @@ interval = [am.compare_paired(F[0].mean(axis=1), F[1].mean(axis=1)).lower, 0.008
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% right: a text, with signs
-log = read_trials()
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -143,7 +136,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: no fault found
-log = read_trials()
+# says: faults: there is no answer yet. Replace the dots.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -162,7 +155,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: an empty text
-log = read_trials()
+# says: faults: there is no answer yet. Replace the dots.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -181,7 +174,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: a text without kinds
-log = read_trials()
+# says: faults: '4, 5, 7, 8, 10, 12, 14, 15, 16' is no kind of the table.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -200,7 +193,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: the line alone
-log = read_trials()
+# says: appendix: the number of a line and the corrected line are asked.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -219,7 +212,7 @@ interval = (-0.510, 0.009)
 appendix = 3
 
 # %% wrong: five faults
-log = read_trials()
+# says: faults: at least six statements are at fault; you have fewer.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -238,7 +231,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: all statements accused
-log = read_trials()
+# says: faults: more than one of the 18 statements is not judged rightly: a fault is missed, a sou
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -257,7 +250,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: what looks odd
-log = read_trials()
+# says: faults: more than one of the 18 statements is not judged rightly: a fault is missed, a sou
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -276,7 +269,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: a median is accused, and one missed
-log = read_trials()
+# says: faults: more than one of the 18 statements is not judged rightly: a fault is missed, a sou
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -295,7 +288,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: the odd ones, not the smooth ones
-log = read_trials()
+# says: faults: more than one of the 18 statements is not judged rightly: a fault is missed, a sou
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -314,7 +307,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: six of ten
-log = read_trials()
+# says: faults: more than one of the 18 statements is not judged rightly: a fault is missed, a sou
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -333,7 +326,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: kinds mixed up
-log = read_trials()
+# says: faults: more than one of the 18 statements is not judged rightly: a fault is missed, a sou
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -352,7 +345,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: a kind of their own
-log = read_trials()
+# says: faults: 'cheating' is no kind of the table.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -371,7 +364,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: a number that is not there
-log = read_trials()
+# says: faults: the statements are numbered 1 to 18; you have 19.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -390,7 +383,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: a list of numbers
-log = read_trials()
+# says: faults: a line for each is asked, such as: 19 delay
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -409,7 +402,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: a fault twice
-log = read_trials()
+# says: faults: a statement stands twice. Give its main fault.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -428,7 +421,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: means of finished trials
-log = read_trials()
+# says: failed trials are left out, and trials are averaged
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -447,7 +440,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: means with the lab
-log = read_trials()
+# says: lab is among the scenarios
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -466,7 +459,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: means after alignment
-log = read_trials()
+# says: the trajectories are aligned
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -485,7 +478,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: the report's means
-log = read_trials()
+# says: failed trials of B are left out
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -504,7 +497,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: means of two systems
-log = read_trials()
+# says: means: shape (3,) is asked, you have (0.419, 0.669).
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -523,7 +516,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: failed trials as the worst of the scenario
-log = read_trials()
+# says: a failed trial counts as the worst of its scenario
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -542,7 +535,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: medians
-log = read_trials()
+# says: these are medians
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -561,7 +554,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: interval of two groups
-log = read_trials()
+# says: you ignore that trials are paired
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -580,7 +573,7 @@ interval = list(stats.ttest_ind(F[0].ravel(), F[1].ravel()).confidence_interval(
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: interval of 30 pairs
-log = read_trials()
+# says: each pair of trials counts as independent
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -599,7 +592,7 @@ interval = by_t(F[0] - F[1])
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: interval of pairs that finished
-log = read_trials()
+# says: only pairs that both finished are left
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -618,7 +611,7 @@ interval = by_t([np.nanmean(x) for x in (T[0] - T[1])[:5]])
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: interval with the lab
-log = read_trials()
+# says: lab is among the scenarios
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -637,7 +630,7 @@ interval = by_t(np.nan_to_num(T, nan=2.0)[0].mean(axis=1) - np.nan_to_num(T, nan
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: interval of B - A
-log = read_trials()
+# says: this is B - A
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -656,7 +649,7 @@ interval = (-0.009, 0.510)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: interval with 1.96
-log = read_trials()
+# says: the quantile is normal
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -675,7 +668,7 @@ interval = [d.mean() - 1.96 * stats.sem(d), d.mean() + 1.96 * stats.sem(d)]
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: interval of A - C
-log = read_trials()
+# says: this is A - C
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -694,7 +687,7 @@ interval = by_t((F[0] - F[2]).mean(axis=1))
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: interval to two decimals
-log = read_trials()
+# says: you rounded to two decimals
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -713,7 +706,7 @@ interval = (-0.51, 0.01)
 appendix = (3, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: a sound line of the appendix
-log = read_trials()
+# says: the corrected line follows from line 1, but that is not all: line 2 was right as it stood.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -732,7 +725,7 @@ interval = (-0.510, 0.009)
 appendix = (2, "1 - sigma_R**2*(1 - 1/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: the line after the mistake
-log = read_trials()
+# says: the corrected line: this says no more than line 3.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -751,7 +744,7 @@ interval = (-0.510, 0.009)
 appendix = (4, "1 - 1/R*sigma_R**2/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: the line as it stands
-log = read_trials()
+# says: the corrected line: this says no more than line 3.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -770,7 +763,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - (sigma_R**2/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: line 2 once more
-log = read_trials()
+# says: the corrected line: this says no more than line 1.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -789,7 +782,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "(sigma_S**2 + sigma_R**2/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: only sigma_R goes
-log = read_trials()
+# says: the corrected line, compared with line 2: wrong
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -808,7 +801,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - sigma_R**2/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: the sign of the last term
-log = read_trials()
+# says: the corrected line, compared with line 2: wrong
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -827,7 +820,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "1 - (sigma_R**2 + sigma_R**2/R)/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: a factor taken out
-log = read_trials()
+# says: the corrected line: every line follows, but it does not begin with 1 - ... as line 3 does.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -846,7 +839,7 @@ interval = (-0.510, 0.009)
 appendix = (3, "(sigma_S**2*R + sigma_R**2)/R/(sigma_S**2 + sigma_R**2)")
 
 # %% wrong: no line
-log = read_trials()
+# says: the corrected line: there is no answer yet. Replace the dots.
 T = np.full((3, 6, 6), np.nan)
 G = T.copy()
 for row in log:
@@ -863,3 +856,23 @@ faults = {2: "failures", 4: "alignment", 5: "pairs", 7: "best seed", 8: "many lo
 means = (0.419, 0.669, 0.485)
 interval = (-0.510, 0.009)
 appendix = (3, ...)
+
+# %% right: a dictionary with one missing
+faults = {2: "failures", 4: "Alignment", 5: "pairs", 7: "best-seed", 8: "many looks", 10: "equality", 12: "percentile", 14: "independence", 15: "tuning"}
+means = {"A": 0.419, "B": 0.669, "C": 0.485}
+
+# %% right: pairs, SymPy line
+faults = [(16, "stopping"), (15, "tuning"), (14, "independence"), (12, "percentile"), (10, "equality"), (8, "many looks"), (7, "best seed"), (5, "pairs"), (4, "alignment"), (2, "failures")]
+appendix = ["3", "= 1 - (1 - 1/R)*sigma_R**2/(sigma_S**2 + sigma_R**2)"]
+
+# %% wrong: two missing
+# says: more than one of the 18 statements
+faults = {2: "failures", 4: "alignment", 5: "pairs", 7: "best seed", 8: "many looks", 10: "equality", 12: "percentile", 14: "independence"}
+
+# %% wrong: one missing and one accused
+# says: more than one of the 18 statements
+faults = {2: "failures", 4: "alignment", 5: "pairs", 7: "best seed", 8: "many looks", 10: "equality", 12: "percentile", 14: "independence", 15: "tuning", 9: "equality"}
+
+# %% wrong: everything of one kind
+# says: more than one of the 18 statements
+faults = {n: "failures" for n in range(1, 19)}

@@ -79,16 +79,19 @@ def audit(rows: list[dict], protocol: dict) -> None:
     assert all(map(fine, rows))
 
 # %% wrong: no answer
+# says: there is no answer yet: your audit accepts every table.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     ...
 
 # %% wrong: returns True and False
+# says: use assert instead
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     return len(rows) == len(protocol['systems']) * len(protocol['scenarios']) * len(protocol['seeds'])
 
 # %% wrong: the number of rows alone
+# says: your audit accepts a table in which a seed stands twice, and another one not at all.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     assert len(rows) == len(protocol["systems"]) * len(protocol["scenarios"]) * len(protocol["seeds"])
@@ -104,6 +107,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: sets of trials, so that repeats pass
+# says: your audit accepts a table in which a trial stands twice.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = set(
@@ -126,6 +130,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: planned trials are there, others too
+# says: your audit accepts a table in which a tuning scenario is among the rows.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     found = [(x["system"], x["scenario"], x["seed"]) for x in rows]
@@ -145,6 +150,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: each row is planned, but some may be missing
+# says: your audit accepts a table in which a trial is missing.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     keys = [(x["system"], x["scenario"], x["seed"]) for x in rows]
@@ -165,6 +171,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: order counts
+# says: your audit rejects a table that is sound (two systems, two failed trials): other trials th
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -187,6 +194,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: no look at the alignment
+# says: your audit accepts a table in which all rows have another alignment.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -208,6 +216,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: one alignment for all, whichever
+# says: your audit accepts a table in which all rows have another alignment.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -230,6 +239,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: no look at the digest
+# says: your audit accepts a table in which one row has another digest.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -251,6 +261,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: blanks are a reason
+# says: your audit accepts a table in which a failed trial has blanks for a reason.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -273,6 +284,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"] != ""
 
 # %% wrong: failures need no reason
+# says: your audit accepts a table in which a failed trial has blanks for a reason.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -294,6 +306,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert np.isnan(x["ate"])
 
 # %% wrong: a failed trial may have an ATE
+# says: your audit accepts a table in which a failed trial has an ATE.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -315,6 +328,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: an ATE may be infinite
+# says: your audit accepts a table in which an ok trial has an infinite ATE.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -337,6 +351,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: an ATE may be negative
+# says: your audit accepts a table in which an ok trial has a negative ATE.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -359,6 +374,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: an ATE of 0 is refused
+# says: your audit rejects a table that is sound (an ATE of 0).
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -381,6 +397,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: an ok trial may have a reason
+# says: your audit accepts a table in which an ok trial has a reason to fail.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -402,6 +419,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: any other status is a failure
+# says: your audit accepts a table in which a trial is called skipped.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -423,6 +441,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: at least one trial has to be ok
+# says: your audit rejects a table that is sound (all trials failed).
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -446,6 +465,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
     assert any(x["status"] == "ok" for x in rows)
 
 # %% wrong: a failed trial is refused
+# says: your audit rejects a table that is sound (two systems, two failed trials).
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -469,6 +489,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: the best seed per scenario is enough
+# says: your audit accepts a table in which a trial is missing.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     for a in protocol["systems"]:
@@ -486,6 +507,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: an ATE above 10 m is refused
+# says: your audit rejects a table that is sound (an ATE of 40 m).
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -508,6 +530,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: breaks with an error of its own
+# says: your audit breaks with KeyError: ('graph', 'hall', 37) on a table in which a trial is miss
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     there = {(x["system"], x["scenario"], x["seed"]): x for x in rows}
@@ -529,6 +552,7 @@ def audit(rows: list[dict], protocol: dict) -> None:
             assert x["reason"].strip() != ""
 
 # %% wrong: seeds only counted
+# says: your audit accepts a table in which a seed stands twice, and another one not at all.
 def audit(rows: list[dict], protocol: dict) -> None:
     """Raise an AssertionError unless `rows` is what `protocol` asks for."""
     asked = sorted(
@@ -549,3 +573,27 @@ def audit(rows: list[dict], protocol: dict) -> None:
         else:
             assert np.isnan(x["ate"])
             assert x["reason"].strip() != ""
+
+# %% right: with counters
+def audit(rows, protocol) -> None:
+    from collections import Counter
+    import math
+    want = Counter((a, b, c) for a in protocol["systems"] for b in protocol["scenarios"] for c in protocol["seeds"])
+    if Counter((r["system"], r["scenario"], r["seed"]) for r in rows) != want: raise AssertionError("trials")
+    for r in rows:
+        assert r["align"] == protocol["align"] and r["digest"] == protocol["digest"]
+        assert r["status"] in ("ok", "failed")
+        if r["status"] == "ok":
+            assert math.isfinite(r["ate"]) and r["ate"] >= 0 and not r["reason"]
+        else:
+            assert math.isnan(r["ate"]) and not r["reason"].isspace() and len(r["reason"]) > 0
+
+# %% wrong: raises for any table with a failure rate
+# says: a trial has a seed that was not planned
+def audit(rows, protocol) -> None:
+    assert len(rows) == len(protocol["systems"]) * len(protocol["scenarios"]) * len(protocol["seeds"])
+    assert len({(r["system"], r["scenario"], r["seed"]) for r in rows}) == len(rows)
+    for r in rows:
+        assert r["scenario"] not in protocol["tuning"]
+        assert (r["status"] == "ok") == (r["ate"] >= 0)
+        assert (r["reason"] == "") == (r["status"] == "ok")
