@@ -914,20 +914,31 @@ def _unavailable(forbidden, yours, running=()):
 
     While `running` is not empty, code that is not the student's runs, and may call them.
     """
-    codes = {function: function.__code__ for function in forbidden}
-    for function, code in codes.items():
-        original = types.FunctionType(code, function.__globals__, function.__name__)
-        original.__defaults__ = function.__defaults__
-        original.__kwdefaults__ = function.__kwdefaults__
-        _closed[id(function)] = original, running
-        made = {}
-        exec(_REFUSAL.format(id(function)), made)
-        function.__code__ = made["refuse"].__code__
+    with contextlib.ExitStack() as undo:
+        for target in forbidden:
+            undo.enter_context(_refusing(target, running))
+        yield
+
+
+@contextlib.contextmanager
+def _refusing(target, running):
+    """Let a function of the library, or a class, refuse what is not allowed to call it."""
+    place, name = (target, "__init__") if isinstance(target, type) else (target, "__code__")
+    old = getattr(place, name)
+    original = old
+    if name == "__code__":
+        original = types.FunctionType(old, target.__globals__)
+        original.__defaults__ = target.__defaults__
+        original.__kwdefaults__ = target.__kwdefaults__
+    _closed[id(target)] = original, running, target.__name__
+    made = {}
+    exec(_REFUSAL.format(id(target)), made)
+    refuse = made["refuse"]
+    setattr(place, name, refuse if name == "__init__" else refuse.__code__)
     try:
         yield
     finally:
-        for function, code in codes.items():
-            function.__code__ = code
+        setattr(place, name, old)
 
 
 # A function's code is exchanged, and not the function: no default argument, closure or other name
@@ -941,10 +952,10 @@ _closed = {}
 
 
 def _through(key, arguments, options):
-    original, running = _closed[key]
+    original, running, name = _closed[key]
     if running:
         return original(*arguments, **options)
-    raise NotYet(f"the library's {original.__name__} would do your work here; do without it.")
+    raise NotYet(f"the library's {name} would do your work here; do without it.")
 
 
 def _describe(error):
