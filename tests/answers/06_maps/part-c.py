@@ -242,7 +242,7 @@ def rates_at(occupied, probability, gamma):
     return tuple(t / n if n else np.nan for n in (np.sum(c), np.sum(y), np.sum(y | c)))
 
 # %% wrong: the library by a default argument
-# says: the library's rates would do your work here; do without them.
+# says: the library's confusion would do your work here; do without it.
 def rates_at(occupied, probability, gamma, f=am.confusion):
     if np.size(occupied) == 0:
         return np.nan, np.nan, np.nan
