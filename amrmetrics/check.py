@@ -324,7 +324,7 @@ def function(yours, cases, expected, mistakes=None, rtol=1e-9, without=()):
     for case, arguments in cases.items():
         right, refused = _call(expected, arguments)
         given = copy.deepcopy(arguments)
-        with _unavailable(without, yours):
+        with _unavailable(without):
             result, error = _call(yours, given)
         if isinstance(error, NotYet):
             raise error
@@ -365,7 +365,7 @@ def _misconception(yours, cases, expected, failing, mistakes, rtol, without):
             found[case] = None if error else _alike(outcome, right[case][0])
         return found
 
-    with _unavailable(without, yours):
+    with _unavailable(without):
         mine = results(yours)
     for why, wrong in mistakes.items():
         outcomes = results(wrong)
@@ -462,7 +462,7 @@ def _judgment(yours, implementation, without):
         finally:
             running.pop()
 
-    with _unavailable(without, yours, running):
+    with _unavailable(without, running):
         result, error = _call(yours, (tested,))
     if isinstance(error, NotYet):
         raise error
@@ -909,53 +909,57 @@ def _call(function, arguments):
 
 
 @contextlib.contextmanager
-def _unavailable(forbidden, yours, running=()):
-    """Let `forbidden` functions refuse every call that `yours` makes, by whatever reference.
+def _unavailable(forbidden, running=()):
+    """Let `forbidden` functions and classes refuse every call that a student's function makes.
 
-    While `running` is not empty, code that is not the student's runs, and may call them.
+    Calls are watched, and not names, so that no default argument, closure, reload or private
+    function behind it leads around. While `running` is not empty, code that is not the student's
+    runs, and may call them.
     """
-    with contextlib.ExitStack() as undo:
-        for target in forbidden:
-            undo.enter_context(_refusing(target, running))
-        yield
+    classes = tuple(target for target in forbidden if isinstance(target, type))
+    names = {
+        (worker.__code__.co_filename, worker.__code__.co_name): target.__name__
+        for target in reversed(forbidden)  # what two of them call counts for the first
+        for worker in workers_of(target)
+    }
 
+    def watch(frame, event, _):
+        if event != "call" or running:
+            return
+        code = frame.f_code
+        name = names.get((code.co_filename, code.co_name))
+        if name is None and classes and code.co_name == "__init__":
+            made = frame.f_locals.get("self")
+            name = type(made).__name__ if isinstance(made, classes) else None
+        if name is not None:
+            raise NotYet(f"the library's {name} would do your work here; do without it.")
 
-@contextlib.contextmanager
-def _refusing(target, running):
-    """Let a function of the library, or a class, refuse what is not allowed to call it."""
-    place, name = (target, "__init__") if isinstance(target, type) else (target, "__code__")
-    old = getattr(place, name)
-    original = old
-    if name == "__code__":
-        original = types.FunctionType(old, target.__globals__)
-        original.__defaults__ = target.__defaults__
-        original.__kwdefaults__ = target.__kwdefaults__
-    _closed[id(target)] = original, running, target.__name__
-    made = {}
-    exec(_REFUSAL.format(id(target)), made)
-    refuse = made["refuse"]
-    setattr(place, name, refuse if name == "__init__" else refuse.__code__)
+    before = sys.getprofile()
+    if names or classes:
+        sys.setprofile(watch)
     try:
         yield
     finally:
-        setattr(place, name, old)
+        sys.setprofile(before)
 
 
-# A function's code is exchanged, and not the function: no default argument, closure or other name
-# that a student has kept leads around that.
-_REFUSAL = """
-def refuse(*arguments, **options):
-    from amrmetrics.check import _through
-    return _through({}, arguments, options)
-"""
-_closed = {}
+def workers_of(target):
+    """Return a function and those of its module that it calls and that are offered to nobody.
 
+    By these, another function of the library would have its answer as well.
+    """
+    import amrmetrics
 
-def _through(key, arguments, options):
-    original, running, name = _closed[key]
-    if running:
-        return original(*arguments, **options)
-    raise NotYet(f"the library's {name} would do your work here; do without it.")
+    if not isinstance(target, types.FunctionType):
+        return []
+    called = (target.__globals__.get(name) for name in target.__code__.co_names)
+    return [target] + [
+        function
+        for function in called
+        if isinstance(function, types.FunctionType)
+        and function.__module__ == target.__module__
+        and getattr(amrmetrics, function.__name__, None) is not function
+    ]
 
 
 def _describe(error):

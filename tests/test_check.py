@@ -1,7 +1,9 @@
 """Feedback in problem sets: right answers pass, wrong ones are told why and nothing more."""
 
 import functools
+import importlib.util
 import re
+import sys
 import warnings
 from fractions import Fraction
 
@@ -751,7 +753,7 @@ def test_a_mistake_is_named_though_the_right_function_is_taken_from_the_student(
     assert "forgot the square" in text
 
 
-@pytest.mark.parametrize("way", ["default", "closure", "partial", "name"])
+@pytest.mark.parametrize("way", ["default", "closure", "partial", "name", "reload"])
 def test_a_blocked_function_is_reached_by_no_reference(way):
     kept = am.brier
 
@@ -766,12 +768,32 @@ def test_a_blocked_function_is_reached_by_no_reference(way):
 
         return brier(y, p).value
 
-    partial = functools.partial(by_default, score=kept)
-    yours = {"default": by_default, "closure": by_closure, "partial": partial, "name": by_name}
+    def by_reload(y, p):
+        spec = importlib.util.spec_from_file_location("scores_again", am.scoring.__file__)
+        again = sys.modules["scores_again"] = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(again)
+        return again.brier(y, p).value
+
+    yours = {"default": by_default, "closure": by_closure, "name": by_name, "reload": by_reload}
+    yours |= {"partial": functools.partial(by_default, score=kept)}
     cases = {"two cells": (np.array([0, 1]), np.array([0.2, 0.7]))}
     arguments = (yours[way], cases, lambda y, p: am.brier(y, p).value)
     assert "brier would do your work" in message(check.function, *arguments, without=(am.brier,))
     check.function(*arguments)
+
+
+def test_a_blocked_class_is_not_made_and_what_stands_behind_a_function_is_blocked():
+    def by_class(tp):
+        return am.Confusion(tp=tp, fp=0, fn=0, tn=0, threshold=0.5).iou
+
+    def by_another_way(tp):
+        return am.ate(np.eye(3)[:, :2] * tp, np.eye(3)[:, :2]).alignment.scale
+
+    cases = {"one": (1,)}
+    text = message(check.function, by_class, cases, float, without=(am.Confusion,))
+    assert "Confusion would do your work" in text
+    text = message(check.function, by_another_way, cases, float, without=(am.align,))
+    assert "align would do your work" in text
 
 
 def test_a_mistake_in_one_of_two_results_is_not_named_for_a_slip_in_the_other():

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import grade
 import hostile
+import nbformat
 import pytest
 from exercise import ROOT, ProblemSet, grade_id
 from grading import checker, collecting, isolation, material, notebooks, pages, wire
@@ -374,6 +375,40 @@ def test_a_result_is_asked_again_until_it_was_three_times_the_same(results, aske
     said = [peer.call(0, (0.5, [1, "x"]), {}) for _ in range(6)]
     assert len(given) == asked
     assert said == (given + [2] * 6)[:6]
+
+
+LIBRARY = {
+    "01_poses": (
+        "part-c",
+        "def pose_between(a, b, s):\n    return am.interpolate([0, 1], [a, b], s)",
+    ),
+    "04_consistency": (
+        "part-c",
+        "def nees(errors, covariances):\n    return am.nees(errors, covariances)",
+    ),
+    "05_scoring": (
+        "part-c",
+        "def map_score(y, p, unknown, score=am.cross_entropy):\n"
+        "    return score(y[~unknown], p[~unknown]).value",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", LIBRARY)
+def test_what_the_library_did_gets_no_mark(name, tmp_path):
+    """The check watches its own process; in the student's, the functions have to be taken away."""
+    part, source = LIBRARY[name]
+    notebook = copy.deepcopy(ProblemSet(name).exercise)
+    next(cell for cell in notebook.cells if grade_id(cell) == part).source = source
+    file = tmp_path / "in" / "anna" / name / f"{name}.ipynb"
+    file.parent.mkdir(parents=True)
+    nbformat.write(notebook, file)
+    command = [sys.executable, ROOT / "tools" / "grade.py", tmp_path / "in"]
+    done = subprocess.run([*command, "--out", tmp_path / "out"], capture_output=True, timeout=600)
+    assert done.returncode == 0, done.stdout
+    assert rows_in(tmp_path / "out")["anna"][part] == "0"
+    page = (tmp_path / "out" / "feedback" / "anna" / f"{name}.html").read_text(encoding="utf-8")
+    assert "would do your work here" in page
 
 
 # --- finding -------------------------------------------------------------------------------------

@@ -267,7 +267,7 @@ class Checker:
         real = check._unavailable
 
         @contextlib.contextmanager
-        def unavailable(forbidden, yours, running=()):
+        def unavailable(forbidden, running=()):
             before, self.forbidden = self.forbidden, tuple(map(place_of, forbidden))
             try:
                 yield

@@ -260,7 +260,9 @@ def refuse(place):
     target = sys.modules[module]
     for part in name.split("."):
         target = getattr(target, part)
-    workers = workers_of(target)
+    from amrmetrics.check import workers_of
+
+    workers = [] if isinstance(target, type) else workers_of(target) or [target]
     said = f"the library's {name} would do your work here; do without it."
     made = {}
     exec(REFUSAL.format(said=said), made)
@@ -269,23 +271,6 @@ def refuse(place):
         workers += [method for method in methods if isinstance(method, types.FunctionType)]
     for function in workers:
         empty(function, made["refuse"])
-
-
-def workers_of(target):
-    """Return a function and those of its module that it calls and that have no public name."""
-    import amrmetrics
-
-    if not isinstance(target, types.FunctionType):
-        return [] if isinstance(target, type) else [target]
-    space = target.__globals__
-    called = {name: space.get(name) for name in target.__code__.co_names}
-    return [target] + [
-        function
-        for name, function in called.items()
-        if isinstance(function, types.FunctionType)
-        and function.__module__ == target.__module__
-        and getattr(amrmetrics, name, None) is not function
-    ]
 
 
 def empty(function, refusal):

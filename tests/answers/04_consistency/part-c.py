@@ -59,7 +59,7 @@ def nees(errors, covariances):
     return (z**2).sum(axis=1)
 
 # %% wrong: the library does it
-# says: the library's NEES and NIS would do your work here; do without them.
+# says: the library's nees would do your work here; do without it.
 def nees(errors, covariances):
     return am.nees(errors, covariances)
 
@@ -196,12 +196,12 @@ def nees(errors, covariances):
     return np.sum(np.einsum("kij,ki->kj", axes, errors) ** 2 / variances, axis=1)
 
 # %% wrong: the library kept as a default argument
-# says: the library's NEES and NIS would do your work here; do without them.
+# says: the library's nees would do your work here; do without it.
 def nees(errors, covariances, library=am.nees):
     return library(errors, covariances)
 
 # %% wrong: a private helper of the library
-# says: the library's NEES and NIS would do your work here; do without them.
+# says: the library's nees would do your work here; do without it.
 def nees(errors, covariances):
     from amrmetrics import consistency
 

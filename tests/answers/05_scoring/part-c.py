@@ -167,12 +167,12 @@ def map_score(occupied, probability, unknown):
     return np.mean(loss)
 
 # %% wrong: the library does it
-# says: the library's scores would do your work here; do without them.
+# says: the library's cross_entropy would do your work here; do without it.
 def map_score(occupied, probability, unknown):
     return am.cross_entropy(occupied, probability, unknown=unknown).value
 
 # %% wrong: the library by another name
-# says: the library's scores would do your work here; do without them.
+# says: the library's cross_entropy would do your work here; do without it.
 def map_score(occupied, probability, unknown):
     import amrmetrics.scoring as s
     return float(s.cross_entropy(occupied, probability, unknown=unknown))
@@ -345,20 +345,21 @@ def map_score(occupied, probability, unknown):
     return -np.mean(np.log(np.where(y, p, 1 - p)))
 
 # %% wrong: the library as a default argument
-# says: the library's scores would do your work here; do without them.
+# says: the library's cross_entropy would do your work here; do without it.
 def map_score(occupied, probability, unknown, score=am.cross_entropy):
     return score(occupied[~unknown], probability[~unknown]).value
 
 # %% wrong: the library, loaded again
-# says: the library's scores would do your work here; do without them.
+# says: the library's cross_entropy would do your work here; do without it.
 import importlib.util
+import sys
 
 
 def map_score(occupied, probability, unknown):
     import amrmetrics.scoring as s
 
     spec = importlib.util.spec_from_file_location("scores_again", s.__file__)
-    again = importlib.util.module_from_spec(spec)
+    again = sys.modules["scores_again"] = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(again)
     return again.cross_entropy(occupied, probability, unknown=unknown).value
 
