@@ -55,6 +55,12 @@ def test_lecture(path, rule):
     assert not list((rules.LECTURE | rules.AGAIN)[rule](read(path)))
 
 
+@pytest.mark.parametrize("path", SOLUTIONS, ids=label)
+@pytest.mark.parametrize("rule", ["one statement a line", "code fits the column"])
+def test_problem_set_is_read_aloud(path, rule):
+    assert not list(rules.LECTURE[rule](read(path)))
+
+
 @pytest.mark.parametrize("path", LECTURES, ids=label)
 def test_claims_hold_at_other_seeds(path, request):
     if not any("default_rng(" in cell.source for cell in read(path).code):
