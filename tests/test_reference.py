@@ -10,9 +10,6 @@ import rules
 
 NOTEBOOKS = reference.lectures()
 
-# In lecture 07 two parts of Going deeper have a Jacobian each, and each part says which.
-KNOWN = {("07", "$J$")}
-
 
 def test_the_page_is_made_from_the_lectures_as_they_are():
     page = reference.PAGE.read_text(encoding="utf-8")
@@ -20,7 +17,7 @@ def test_the_page_is_made_from_the_lectures_as_they_are():
 
 
 def test_no_letter_has_two_meanings_in_one_lecture():
-    assert set(reference.contradictions(NOTEBOOKS)) == KNOWN
+    assert not list(reference.contradictions(NOTEBOOKS))
 
 
 def test_a_second_meaning_in_one_lecture_is_found():
