@@ -678,6 +678,7 @@ def test_a_derivation_takes_a_declaration(derive):
         ("2.50*x + 1e-5", r"2.50 x + 1 \cdot 10^{-5}"),
         ("pi + E + oo", r"\pi + e + \infty"),
         ("epsilon + epsl", r"\varepsilon + \mathrm{epsl}"),
+        ("ell + ell_1 + ellipse", r"\ell + \ell_{1} + \mathrm{ellipse}"),
         ("xhat + dbar + thetahat_k", r"\hat{x} + \bar{d} + \hat{\theta}_{k}"),
         ("x_k + d[k + 1] + x_a[k]", "x_{k} + d_{k + 1} + x_{a,k}"),
         ("z1 + s_pp + q_odo + lam", r"z_{1} + s_{pp} + q_{\mathrm{odo}} + \lambda"),

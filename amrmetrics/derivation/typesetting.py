@@ -26,7 +26,7 @@ class Piece(NamedTuple):
 GREEK = r"""alpha beta gamma delta zeta eta theta iota kappa mu nu xi pi rho sigma tau upsilon chi
     psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"""
 LETTERS = {n: f"\\{n}" for n in GREEK.split()} | {"lam": r"\lambda", "lamda": r"\lambda"}
-LETTERS |= {"epsilon": r"\varepsilon", "eps": r"\varepsilon", "phi": r"\varphi"}
+LETTERS |= {"epsilon": r"\varepsilon", "eps": r"\varepsilon", "phi": r"\varphi", "ell": r"\ell"}
 ACCENTS = {"hat": r"\hat", "bar": r"\bar", "tilde": r"\tilde", "dot": r"\dot"}
 NUMBERS = {"pi": r"\pi", "oo": r"\infty", "E": "e"}
 SCOPED = ("Sum", "Product", "Integral", "Subs", "Limit")  # what binds a letter
