@@ -282,7 +282,7 @@ CHECKS = {"declare", "check_step", "Derivation"}
 @rule_of(LECTURE)
 def no_parser_and_no_helper_for_derivations(notebook):
     """A lecture wraps no `derive`, splits no text in a function and evaluates none."""
-    derives = CHECKS | declared(notebook)
+    derives = CHECKS | declared(notebook.code)
     for cell in notebook.code:
         for node in ast.walk(source_of(cell)):
             if isinstance(node, ast.Import | ast.ImportFrom):
@@ -300,15 +300,16 @@ def no_parser_and_no_helper_for_derivations(notebook):
                         yield f"{cell.id}: a function that calls {ast.unparse(n.func)}"
 
 
-def declared(notebook):
-    """Names of what `declare` returned, in all cells."""
+def declared(cells, empty=True):
+    """Names of what `declare` returned in these cells, with or without those that hold nothing."""
     return {
         target.id
-        for cell in notebook.code
+        for cell in cells
         for node in ast.walk(source_of(cell))
         if isinstance(node, ast.Assign)
         and isinstance(node.value, ast.Call)
         and called(node.value) == "declare"
+        and (empty or getattr(node.value.args[0], "value", "") != "")
         for target in node.targets
         if isinstance(target, ast.Name)
     }
@@ -325,7 +326,7 @@ def owner(attribute):
 @rule_of(LECTURE)
 def derivations_are_written_out(notebook):
     """`declare` and `derive` are given the text itself, not one that is put together."""
-    derives = declared(notebook)
+    derives = declared(notebook.code)
     for cell in notebook.code:
         for node in ast.walk(source_of(cell)):
             if not isinstance(node, ast.Call):
@@ -336,6 +337,20 @@ def derivations_are_written_out(notebook):
                 texts = node.args[:1] or [k.value for k in node.keywords if k.arg == "lines"]
                 if not all(isinstance(x, ast.Constant) and type(x.value) is str for x in texts):
                     yield f"{cell.id}: {ast.unparse(node)[:50]}…"
+
+
+@rule_of(LECTURE)
+def declarations_last(notebook):
+    """A cell that declares letters does not make those forget that a later cell declares.
+
+    `derive = declare("")` stands in the setup, and each part adds its own with `derive.more`.
+    """
+    for place, cell in enumerate(notebook.code):
+        for name in declared([cell], empty=False):
+            for later in notebook.code[place + 1 :]:
+                if f"{name}.more(" in later.source:
+                    yield f"{cell.id}: run again, it forgets what {later.id} declares"
+                    break
 
 
 # ---- what the page promises ------------------------------------------------------------------

@@ -24,6 +24,8 @@ import numpy as np
 
 from amrmetrics import plotting
 from amrmetrics.derivation import declare
+
+derive = declare("")
 %% prose part-1
 ## Part 1 · Doubling (10 minutes)
 
@@ -32,7 +34,7 @@ from amrmetrics.derivation import declare
 | $x$ | a number | `x` |
 | $\\sigma$ | deviation of what is drawn [below](#Part-2-·-Drawing-(8-minutes)) | `draws.std()` |
 %% code letters
-derive = declare('''
+derive.more('''
     y   real
 ''')
 %% code d1
@@ -173,11 +175,15 @@ PLANTED = {
         ("numbers", "x = 3", "import re\n\nx = 3", "imports re"),
         ("numbers", "x = 3", 'x = eval("3")', "calls eval"),
     ],
+    "declarations last": [
+        ("setup", 'declare("")', "declare('x real')", "setup: run again, it forgets what letters"),
+    ],
     "derivations are written out": [
         ("d1", "derive('''", "derive(f'''", "d1: derive"),
         ("d1", "derive('''", "derive('' + '''", "d1: derive"),
         ("d1", "derive('''", "derive.more('z real' * 1)\nderive('''", "d1: derive.more"),
-        ("letters", "declare('''", "declare('x real' + '''", "letters: declare"),
+        ("letters", "derive.more('''", "derive.more('x real' + '''", "letters: derive.more"),
+        ("setup", 'declare("")', 'declare("" * 1)', "setup: declare"),
     ],
     "sliders do not stall": [
         ("setup", "import numpy", "from ipywidgets import interact\nimport numpy", "interact"),
