@@ -6,6 +6,7 @@ an argument everywhere: no global state of mpmath is read or changed.
 """
 
 from fractions import Fraction
+from functools import lru_cache
 
 import mpmath
 from mpmath import libmp
@@ -70,6 +71,10 @@ def as_float(x):
         return libmp.to_float(middle(x))
     except OverflowError:
         return float("inf") * libmp.mpf_sign(middle(x))
+
+
+# Sine and cosine of one angle are asked for one after the other, and by each line that has them.
+_cos_sin = lru_cache(maxsize=1000)(libmpi.mpi_cos_sin)
 
 
 class Arithmetic:
@@ -229,7 +234,7 @@ class Arithmetic:
     def _turned(self, x):
         if abs(as_float(x)) > 1e30:
             return ((libmp.fnone, libmp.fone),) * 2
-        return libmpi.mpi_cos_sin(self.interval(x), self.prec)
+        return _cos_sin(self.interval(x), self.prec)
 
     def tan(self, x):
         return self.divide(self.sin(x), self.cos(x))
